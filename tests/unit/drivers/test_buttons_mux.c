@@ -103,7 +103,8 @@ static void test_an_absent_panel_is_no_fault(void **state)
     assert_int_equal(sum.pressed, INPUT_TEST);
 }
 
-/* A panel that fails must still report its faults. */
+/* A panel that fails must not hide the events of the other panels, but its faults must be
+ * reported. */
 static void test_a_failed_panel_does_not_affect_the_others(void **state)
 {
     (void)state;
@@ -135,7 +136,8 @@ static void test_the_description_names_every_panel_and_is_truncated(void **state
     buttons_mux_add(&join, device_of(&lines));
     assert_string_equal(device.ops->describe(device.self), "keys; 5 lines");
     buttons_mux_add(&join, device_of(&lines));
-    /* Two consecutive panels have the same description, which is listed only once. */
+    /* Two consecutive panels have the same description, so the multiplexer lists this text only
+     * once. */
     assert_string_equal(device.ops->describe(device.self), "keys; 5 lines");
     for (uint32_t i = 0; i < 4; i++) {
         buttons_mux_add(&join, device_of(&talker));

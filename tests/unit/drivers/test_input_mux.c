@@ -59,9 +59,9 @@ static void test_a_fifth_controller_gets_no_slot(void **state)
                  (uint8_t[]){ USB0, PAD1, PAD2, PAD0 });
 }
 
-/* Plugs controllers in and out at random. After each assignment, each slot has at most one
- * controller, as many slots as possible are used, and better kinds of controllers have the lower
- * slots. A second assignment changes nothing. */
+/* Plugs controllers in and out at random. After each assignment, no slot has two controllers, no
+ * slot is empty while a controller is left, and better kinds of controllers have the lower slots. A
+ * second assignment must change nothing. */
 static void test_every_set_of_controllers_is_assigned_correctly(void **state)
 {
     (void)state;
@@ -90,8 +90,8 @@ static void test_every_set_of_controllers_is_assigned_correctly(void **state)
 
 struct source {
     int there;
-    /* 1 if the device is connected but unused: the device can be opened, but source_is_present()
-     * returns false. */
+    /* 1 if open() succeeds although source_is_present() returns false, as for a device that is
+     * connected but unused. */
     int lies_about;
     uint32_t opened, polled, asked;
     struct poi_force felt;
@@ -196,7 +196,7 @@ static void test_a_better_controller_gets_the_slot_only_between_games(void **sta
     pad.there = 1;
     assert_int_equal(arrange(0), 0u);
     assert_int_equal(arrange(0), 0u);
-    /* The mux also calls open() for a source without a slot, to find out whether the source is
+    /* The pad has no slot yet. The multiplexer also opens such a source, to find out whether it is
      * ready. */
     assert_true(pad.asked >= 2);
     assert_int_equal(arrange(1), 3u);
@@ -205,8 +205,8 @@ static void test_a_better_controller_gets_the_slot_only_between_games(void **sta
     assert_int_equal(arrange(1), 7u);
 }
 
-/* A player who unplugs the controller during a round gets the slot back. Another player's mouse
- * must not get it. */
+/* If a player's controller is unplugged during a round, the slot stays reserved for it. The mouse
+ * of another player must not get the slot. */
 static void test_a_lost_controller_keeps_its_slot_during_the_game(void **state)
 {
     (void)state;
@@ -219,7 +219,7 @@ static void test_a_lost_controller_keeps_its_slot_during_the_game(void **state)
     assert_int_equal(poi->ops->poll(poi->self, &sample, 1), HAL_ERR_GONE);
     assert_int_equal(poi->ops->open(poi->self), HAL_ERR_GONE);
     usb.there = 1;
-    /* The slot of a source that was plugged in again is restored at once, even during a round. */
+    /* The source was plugged in again, so it gets its slot back at once, even during a round. */
     assert_int_equal(arrange(0), 1u);
     assert_int_equal(arrange(0), 0u);
     assert_int_equal(poi->ops->open(poi->self), HAL_OK);
@@ -252,9 +252,9 @@ static void test_a_substitute_gets_a_slot_if_no_other_exists_or_once_used(void *
     assert_int_equal(arrange(1), 2u);
 }
 
-/* A lost controller is replaced during a round by an unused controller of the same kind, or by
- * itself in another port. The mouse never replaces a lost controller, and neither does another
- * player's controller. */
+/* During a round, a lost controller is replaced only by an unused controller of the same kind, or
+ * by the same controller in another port. The mouse or a controller of another player must never
+ * replace it. */
 static void test_a_lost_controller_is_replaced_in_a_game_by_one_of_its_kind(void **state)
 {
     (void)state;
@@ -265,8 +265,8 @@ static void test_a_lost_controller_is_replaced_in_a_game_by_one_of_its_kind(void
     usb.there = second.there = 1;
     arrange(1);
     usb.there = 0;
-    /* No controller replaces the lost one: the second controller already has a slot, and the mouse
-     * is of another kind. */
+    /* Nothing replaces the lost controller, because the second controller already has a slot and
+     * the mouse is of another kind. */
     assert_int_equal(arrange(0), 0u);
     third.there = 1;
     assert_int_equal(arrange(0), 1u);
@@ -293,7 +293,8 @@ static void test_a_source_without_a_slot_is_still_polled(void **state)
     }
     assert_int_equal(mouse.opened, 1);
     assert_int_equal(mouse.polled, 3);
-    /* The USB controller has a slot, so only the frame loop polls the controller. */
+    /* A controller with a slot is polled by the frame loop, so the multiplexer must not poll it
+     * too. */
     assert_int_equal(usb.polled, 0);
 }
 

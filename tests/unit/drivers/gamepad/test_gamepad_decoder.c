@@ -261,8 +261,8 @@ static int begin_sim(void **state)
     return poi.ops->open(poi.self);
 }
 
-/* Polls for `ms` milliseconds, once every `frame_ms`. Checks that a hand can move from each sample
- * to the next one. Returns the number of samples. */
+/* Polls for `ms` milliseconds, once every `frame_ms`. Checks that each sample is a possible motion
+ * after the previous one. Returns the number of samples. */
 static uint32_t play_ms(uint64_t ms, uint64_t frame_ms)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];

@@ -27,9 +27,9 @@ static void assert_exact(const struct rain_result *result)
 }
 
 /* Asserts that all jams and at least 90 % of the short pulses were reported as faults. If the
- * kernel reads the level late, a short pulse can look like a glitch and is not reported. A pair of
- * glitches can look like a coin. Such a pair is reported as doubtful, unless the GPIO thread polled
- * the level between the glitches. */
+ * kernel reads the level late, it takes some short pulses for glitches, which are not reported. Two
+ * glitches can also be taken for a coin. Such a pair is reported as doubtful, unless the GPIO
+ * thread polled the level between the glitches. */
 static void assert_faults_reported(const struct rain_result *result)
 {
     assert_in_range(result->faults - result->doubtful, result->jams + result->knocks * 9u / 10u,

@@ -60,7 +60,8 @@ static void test_each_coin_line_is_counted_separately(void **state)
         LEVEL(100, GPIO_COIN, 1),
         LEVEL(110, GPIO_COIN2, 1),
         LEVEL(120, GPIO_COIN3, 1),
-        /* This pulse of 8 ms is too short for a coin. It may come from a knock. */
+        /* This pulse of 8 ms is too short for a coin. Knocks against the coin mechanism cause such
+         * pulses. */
         LEVEL(128, GPIO_COIN3, 0),
         LEVEL(150, GPIO_COIN, 0),
         LEVEL(160, GPIO_COIN2, 0),

@@ -99,8 +99,8 @@ static void test_a_pulse_that_ended_before_its_edges_were_reported_is_a_pulse(vo
     /* The edge at 100 ms is reported when the pulse has already ended, so it is reported with a low
      * level. */
     assert_false(edge(&input, 100, false, 0));
-    /* The kernel did not record the time of the falling edge. It gives the edge the time at which
-     * the first edge was read, 118 ms. */
+    /* The kernel did not record the time of the falling edge. Instead, the edge gets the time at
+     * which the first edge was read, 118 ms. */
     assert_true(edge(&input, 118, false, 0));
     taken_ns = 0;
     assert_change(100, true);
@@ -163,8 +163,8 @@ static void test_an_edge_older_than_an_accepted_level_changes_nothing(void **sta
     level(&input, 112, true);
     assert_true(level(&input, 122, true));
     assert_change(102, true);
-    /* The edge at 100 ms began the pulse that the polls have already detected. It is reported late,
-     * with a low level, and must not end the pulse. */
+    /* The edge at 100 ms began the pulse that the polls have already detected. This edge is
+     * reported late, with a low level, and must not end the pulse. */
     assert_false(edge(&input, 100, false, 0));
     assert_true(input.debounce.stable);
     assert_false(edge(&input, 160, false, 0));

@@ -218,9 +218,9 @@ static void test_valid_reports_are_accepted_again_after_each_fault(void **state)
             const int count = poll(samples);
             const int is_fine = frame < 5 || frame >= 15;
             assert_true(count >= 0);
-            /* After random bytes, valid reports may be rejected for a while, because the bytes may
-             * look like a valid report with a later sequence number. The number of samples is
-             * therefore not checked after this fault. */
+            /* After random bytes, the decoder may reject valid reports for a while, because the
+             * bytes can be taken for a report with a later sequence number. The number of samples
+             * is therefore not checked after this fault. */
             if (is_fine && kind != HID_SIM_GARBAGE) {
                 assert_true(count >= (int)FRAME_REPORTS - 1);
             }
@@ -303,8 +303,8 @@ static void test_the_last_report_before_a_pause_is_never_lost(void **state)
         }
         const vec3 rest_m = samples[count - 1].target.position_m;
         assert_true(rest_m.y > 0.0f);
-        /* The poi comes to rest near the point of the release. It does not move on to the end of
-         * its range. */
+        /* The poi comes to rest near the point of the release. Without this report, the poi would
+         * move on to the end of its range. */
         assert_true(f_abs(rest_m.x - let_go_m) < 0.03f);
     }
 }

@@ -133,9 +133,9 @@ static void test_a_waiting_poi_can_still_dip(void **state)
     assert_true(fabsf(down.x - on_water(640.0f, 360.0f).x) < 0.02f);
 }
 
-/* When the fan key is released, the pointer is far from the poi. The poi must return at a limited
- * speed, because a jump would tear its paper. It must not jump either if the key is pressed again
- * on the way. */
+/* When the fan key is released, the pointer is far from the poi. The poi must return to the pointer
+ * at a limited speed, because a jump would tear the paper. A second press of the fan key on the way
+ * must not cause a jump either. */
 static void test_the_poi_returns_under_the_pointer_at_limited_speed(void **state)
 {
     (void)state;
@@ -163,8 +163,8 @@ static void test_the_poi_returns_under_the_pointer_at_limited_speed(void **state
     assert_float_equal(before.z, home.z, 1e-4f);
 }
 
-/* The poi is under water when the fan key is released. It must first rise and then move under the
- * pointer, whether the mouse button is still held or not. */
+/* The poi is under water when the fan key is released. The poi must first rise and only then move
+ * under the pointer, even if the mouse button is still held. */
 static void test_under_water_the_poi_returns_at_a_speed_safe_for_the_paper(void **state)
 {
     (void)state;
@@ -179,8 +179,8 @@ static void test_under_water_the_poi_returns_at_a_speed_safe_for_the_paper(void 
         }
         const vec3 now = poi_after(ms);
         const vec3 step = v3(now.x - before.x, 0.0f, now.z - before.z);
-        /* The poi may move sideways faster while it rises, because a lift follows the line of
-         * sight. */
+        /* Only the speed at the full depth is limited. A rising poi may move sideways faster,
+         * because a lift follows the line of sight. */
         const int is_down = now.y < DIP_DEPTH_M + 0.002f;
         /* 0.15 mm in 1 ms is 0.15 m/s, the maximum speed under water. */
         assert_true(!is_down || v3_length(step) < 0.00015f);

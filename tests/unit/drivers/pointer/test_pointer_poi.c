@@ -81,7 +81,8 @@ static void assert_is_under_pointer(const struct pointer_poi *pointer, vec3 ring
     assert_float_equal(ring_y_px, y_px, 0.1f);
 }
 
-/* Returns how much nearer to the player the ring is than the point below the pointer, in m. */
+/* Returns how much nearer to the player the ring is than the point of the water below the pointer,
+ * in m. */
 static float nearer_m(vec3 ring_m, float x_px, float y_px)
 {
     const vec3 below_m = view_point_on_plane(stall_view(), (float)WIDTH / (float)HEIGHT,
@@ -124,7 +125,8 @@ static void test_the_ring_sinks_nearer_to_the_player_and_ends_under_the_pointer(
     }
 }
 
-/* On a page (a menu, for example), a press must act exactly below the pointer. */
+/* On a page such as a menu, a press must act exactly at the pointer, so the ring must not move
+ * sideways. */
 static void test_on_a_page_the_ring_sinks_straight_below_the_pointer(void **state)
 {
     (void)state;
@@ -157,7 +159,8 @@ static void test_a_short_press_completes_the_downward_stroke(void **state)
     assert_float_equal(after(&clicked, 100 + DOWN_MS + UP_MS + 2).position_m.y, DIP_HOVER_M, 1e-5f);
 }
 
-/* The lift must start on time, even if the next pose is read much later. */
+/* The next pose is read only long after the button was released. The lift must nevertheless start
+ * at the release. */
 static void test_a_pause_without_samples_does_not_delay_the_lift(void **state)
 {
     (void)state;
@@ -203,8 +206,8 @@ static void test_a_press_under_water_does_not_move_the_ring_sideways(void **stat
     }
 }
 
-/* Strokes are interrupted and resumed: a press during the lift, and a release and a press during
- * the dip. Position and velocity must stay continuous. */
+/* A stroke is a dip or a lift. The button is pressed during a lift, and released and pressed again
+ * during a dip. The position and the velocity of the ring must stay continuous. */
 static void test_interrupted_strokes_have_no_jump_in_position_or_velocity(void **state)
 {
     (void)state;
@@ -227,7 +230,8 @@ static void test_interrupted_strokes_have_no_jump_in_position_or_velocity(void *
         if (ms > 1) {
             const vec3 now_m_s = v3_scale(v3_sub(now_m, position_m), 1000.0f);
             assert_true(v3_length(now_m_s) < 0.8f);
-            /* The acceleration must be below 30 m/s^2. */
+            /* The velocity changes by less than 0.03 m/s in 1 ms, so the acceleration is below
+             * 30 m/s^2. */
             assert_true(v3_length(v3_sub(now_m_s, velocity_m_s)) < 0.03f);
             velocity_m_s = now_m_s;
         }
@@ -293,9 +297,9 @@ static struct angles angles_while_sweeping(float step_px)
 static void test_fast_motion_tilts_the_ring_in_the_direction_of_motion(void **state)
 {
     (void)state;
-    /* The pointer moves at about 0.1 m/s. */
+    /* A step of 2 pixels is a speed of about 0.1 m/s. */
     const float glide = angles_while_sweeping(2.0f).roll_rad;
-    /* The pointer moves at about 1 m/s. */
+    /* A step of 20 pixels is a speed of about 1 m/s. */
     const float rush = angles_while_sweeping(20.0f).roll_rad;
     assert_true(glide < 0.0f && glide > -4.0f * F_DEG);
     assert_true(rush < -15.0f * F_DEG && rush > -21.0f * F_DEG);

@@ -1,5 +1,5 @@
-/* test_usb_choice.c -- tests which USB devices the driver may claim and which player slot each of
- * them gets, by the built-in rules and by the file of the operator's choices. */
+/* test_usb_choice.c -- tests which USB devices the driver may claim, and which player slot each
+ * device gets. Both follow from built-in rules and from the file of the operator's choices. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -48,7 +48,7 @@ static void test_an_invalid_key_is_rejected_and_changes_nothing(void **state)
     }
     assert_int_equal(usb_key_read(&key, longest), -1);
     assert_int_equal(key.vendor, 7);
-    longest[10 + HID_TEXT_SIZE - 1] = '\0'; /* A text that is one byte shorter fits. */
+    longest[10 + HID_TEXT_SIZE - 1] = '\0'; /* After the last byte is removed, the text fits. */
     assert_int_equal(usb_key_read(&key, longest), 0);
 }
 
@@ -86,7 +86,7 @@ static void test_only_a_kingyo_poi_is_opened_without_a_choice(void **state)
     assert_int_equal(evaluate(&nothing, &any, USB_KIND_OWN), USB_PLAYS);
     assert_int_equal(evaluate(&nothing, &any, USB_KIND_MAPPED), USB_FREE);
     assert_int_equal(evaluate(&nothing, &any, USB_KIND_LEARNABLE), USB_FREE);
-    /* A free device is not opened. */
+    /* USB_FREE means that the device is listed but not opened. */
     assert_int_equal(evaluate(&nothing, &any, USB_KIND_UNKNOWN), USB_FREE);
     assert_int_equal(evaluate(&nothing, &test_id, USB_KIND_UNKNOWN), USB_ASK);
     assert_int_equal(evaluate(&nothing, &test_id, USB_KIND_MAPPED), USB_FREE);
@@ -116,11 +116,11 @@ static void test_a_choice_with_a_serial_number_has_priority(void **state)
     request(&choice, "0001:0002", 1, 1);
     assert_int_equal(evaluate(&choice, &a, USB_KIND_MAPPED), USB_FREE);
     assert_int_equal(evaluate(&choice, &b, USB_KIND_MAPPED), USB_PLAYS);
-    /* The operator has released this device, so it is free even if it is a Kingyo poi. */
+    /* The operator has released this device, so it stays free although it is a Kingyo poi. */
     assert_int_equal(evaluate(&choice, &a, USB_KIND_OWN), USB_FREE);
     request(&choice, "0001:0002:a", 1, 1);
     assert_int_equal(evaluate(&choice, &a, USB_KIND_MAPPED), USB_PLAYS);
-    /* The new choice has replaced the old choice of the same key. */
+    /* The list has two choices, because the new choice replaced the old choice of the same key. */
     assert_int_equal(choice.request_count, 2);
 }
 
@@ -157,8 +157,8 @@ static void test_a_returning_device_gets_its_own_slot(void **state)
     };
     struct hid_identity device = identity_of(1, 2, "b", "1-9");
     assert_int_equal(usb_choice_slot(place, &device), 2);
-    /* The serial number differs, but the type and the port are the same. The device therefore
-     * replaces the lost one. */
+    /* Only the serial number differs from that of the lost device. Type and port are the same, so
+     * the new device gets its slot. */
     device = identity_of(1, 2, "c", "1-1");
     assert_int_equal(usb_choice_slot(place, &device), 1);
     device = identity_of(1, 2, "c", "1-9");
@@ -187,7 +187,8 @@ static void test_a_device_in_a_new_port_is_identified_if_it_is_the_only_one(void
     };
     const struct hid_identity device = identity_of(1, 2, "", "1-7");
     assert_int_equal(usb_choice_slot(place, &device), 1);
-    /* Two devices of this type are lost, so it is unknown which of them came back. */
+    /* Two devices of this type are lost, so the returned device cannot be identified and gets a
+     * free slot. */
     place[0] = place_of(identity_of(1, 2, "", "1-8"), 0, 1);
     assert_int_equal(usb_choice_slot(place, &device), 2);
 }
@@ -215,7 +216,7 @@ static void test_rows_keep_their_index_and_excluded_devices_are_replaced(void **
     for (uint16_t i = 0; i < 6; i++) {
         const struct hid_identity device = identity_of(1, i, "", "1-1");
         const uint32_t row = usb_device_table_enter(&rows, &device, 1);
-        /* Four rows are kept free for other types of devices. */
+        /* Excluded devices get at most four rows, so that rows are left for usable devices. */
         assert_int_equal(row, i < 4 ? i : CONTROLLER_MAX);
     }
     for (uint16_t i = 0; i < 8; i++) {
@@ -228,13 +229,13 @@ static void test_rows_keep_their_index_and_excluded_devices_are_replaced(void **
     const struct hid_identity lost = identity_of(2, 5, "", "1-2");
     const uint32_t row = usb_device_table_find(&rows, &lost);
     rows.row[row].state = CONTROLLER_LOST;
-    /* The returning device gets its former row. */
+    /* The returned device gets the row that it had before. */
     assert_int_equal(usb_device_table_enter(&rows, &lost, 0), row);
     rows.row[row].state = CONTROLLER_LOST;
     assert_int_equal(usb_device_table_enter(&rows, &ninth, 0), row);
 }
 
-/* ---- File of chosen devices ----------------------------------------------------------------- */
+/* ---- File of the operator's choices --------------------------------------------------------- */
 
 static void test_choices_are_stored_completely_or_the_old_file_is_kept(void **state)
 {

@@ -64,14 +64,14 @@ static void test_four_devices_get_slots_and_a_fifth_waits(void **state)
     assert_int_equal(usb_sim_seen(device[4]).opens, 0);
     const struct hid_device_list device_list = usb_transport_list(fixture.thread);
     assert_int_equal(device_list.ops->choose(device_list.self, 4, true), HAL_ERR_BUSY);
-    /* The device is only lost for a moment, so its slot stays reserved. */
+    /* The device has only just been lost, so its slot is still reserved. */
     usb_sim_unplug(device[2], USB_SIM_GONE);
     assert_true(fixture_wait_state(&fixture, 2, CONTROLLER_LOST));
     usleep(100000);
     assert_int_equal(fixture_row(&fixture, 4).state, CONTROLLER_FREE);
     usb_sim_plug(&kinds[2], 9);
     assert_true(sits(2, "S2"));
-    /* Releasing the device of slot 1 frees the slot, and a waiting poi gets it. */
+    /* The operator releases the device of slot 1. A poi that waits for a slot must get slot 1. */
     assert_int_equal(device_list.ops->choose(device_list.self, 1, false), HAL_OK);
     assert_true(sits(1, "S4"));
     assert_true(fixture_wait_state(&fixture, 4, CONTROLLER_ACTIVE));
@@ -88,7 +88,7 @@ static void test_four_devices_return_to_their_slots_in_any_order(void **state)
         assert_true(sits(i, serials[i]));
     }
     for (uint32_t i = 0; i < 4; i++) {
-        /* Unplugging a hub unplugs all its devices. */
+        /* All devices of the hub are unplugged together, as when the hub itself is unplugged. */
         usb_sim_unplug(device[i], (enum usb_sim_unplug_order)(i % 2u));
     }
     for (uint32_t i = 0; i < 4; i++) {
@@ -160,8 +160,8 @@ static void test_a_poi_is_opened_beside_more_keyboards_than_the_list_holds(void 
 
 static atomic_int storm_is_over;
 
-/* Plugs the eight devices of a hub in and out again and again, with different pauses and orders of
- * the bus events, and sends reports meanwhile. Runs in its own thread. */
+/* Runs in a thread of its own. Plugs the eight devices of a hub in and out again and again, with
+ * varying pauses and varying orders of the bus events. Sends reports in between. */
 static void *storm(void *self)
 {
     uint32_t device[8];
@@ -192,7 +192,7 @@ static void test_all_devices_have_slots_after_a_hot_plug_storm(void **state)
     struct hid_row rows[CONTROLLER_MAX];
     const struct hid_device_list device_list = usb_transport_list(fixture.thread);
     uint32_t order = 0, device[POI_MAX];
-    /* Each player slot is reserved for the poi that is plugged in here. */
+    /* Plugs in a poi for each player slot, so that every slot is reserved for a certain poi. */
     for (uint8_t i = 0; i < POI_MAX; i++) {
         device[i] = usb_sim_plug(&kinds[i], (uint8_t)(i + 1u));
         assert_true(sits(i, serials[i]));

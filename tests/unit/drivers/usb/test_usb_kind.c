@@ -62,8 +62,9 @@ static enum usb_kind kind_of_bytes(const uint8_t *bytes, uint32_t size)
     return subject.kind;
 }
 
-/* A device with media keys or with keys for typing counts as a keyboard, even if it is also a
- * tablet or a mouse. A device with vendor-defined bytes must be learned. */
+/* A device counts as a keyboard (USB_KIND_KEYS) if it has media keys or typing keys, even if it is
+ * also a tablet or a mouse. A device that sends only vendor-defined bytes must be learned
+ * (USB_KIND_LEARNABLE). */
 static void test_real_devices_are_classified_by_their_descriptors(void **state)
 {
     (void)state;
@@ -101,8 +102,9 @@ static void test_real_devices_are_classified_by_their_descriptors(void **state)
     }
 }
 
-/* Returns the index of the interface that would be claimed, out of `count` interfaces of one
- * device. A null name is an interface whose descriptor was not read yet. */
+/* Returns the index of the interface that the driver would claim, out of the `count` interfaces of
+ * one device. A null pointer in `names` stands for an interface whose descriptor was not read
+ * yet. */
 static uint32_t best_of(const struct usb_choice *choice, const char *const names[], uint32_t count)
 {
     struct hid_identity identity[4];
@@ -118,8 +120,9 @@ static uint32_t best_of(const struct usb_choice *choice, const char *const names
     return best;
 }
 
-/* A tablet may have one interface for its pen and one of its vendor. A receiver may have one for a
- * mouse and one for a keyboard. The pen or the mouse must be claimed. */
+/* A tablet may have one interface for its pen and a second, vendor-defined interface. A wireless
+ * receiver may have one interface for a mouse and one for a keyboard. The driver must claim the pen
+ * or the mouse. */
 static void test_the_most_suitable_of_several_interfaces_is_claimed(void **state)
 {
     (void)state;
@@ -138,8 +141,8 @@ static void test_the_most_suitable_of_several_interfaces_is_claimed(void **state
         assert_int_equal(best_of(&choice, (const char *const[]){ mouse, mouse }, 2), 0);
         request(&choice, "256c:006e", 1, 1);
     }
-    /* A null name is an interface whose descriptor is not known yet. It is preferred to a vendor
-     * interface, which could only be used after learning, but not to a pen. */
+    /* The descriptor of the interface NULL is not known yet. Such an interface must be preferred to
+     * a vendor-defined one, which would need learning, but not to a pen. */
     assert_int_equal(best_of(&choice, (const char *const[]){ vendor, NULL }, 2), 1);
     assert_int_equal(best_of(&choice, (const char *const[]){ pen, NULL }, 2), 0);
 }
@@ -169,7 +172,7 @@ static void test_the_kingyo_descriptor_is_compared_in_every_byte(void **state)
     memcpy(bytes, poi_descriptor, sizeof bytes);
     assert_int_equal(kind_of_bytes(bytes, sizeof bytes), USB_KIND_OWN);
     assert_int_equal(kind_of_bytes(bytes, 0), USB_KIND_UNKNOWN);
-    /* Changes the usage page, so that the descriptor is not that of a Kingyo poi. */
+    /* With this changed usage page, the descriptor is no longer that of a Kingyo poi. */
     bytes[1] ^= 1u;
     assert_int_not_equal(kind_of_bytes(bytes, sizeof bytes), USB_KIND_OWN);
     static const uint8_t cut_off[] = { 0x05 };
@@ -179,7 +182,7 @@ static void test_the_kingyo_descriptor_is_compared_in_every_byte(void **state)
 static void test_devices_without_pointing_or_game_usages_are_excluded(void **state)
 {
     (void)state;
-    /* Usage pages (low byte first) and usages of a UPS, a FIDO key and a headset. */
+    /* Each row has a usage page (low byte first) and a usage: a UPS, a FIDO key and a headset. */
     static const uint8_t pages[][3] = { { 0x84, 0x00, 0x04 },
                                         { 0xd0, 0xf1, 0x01 },
                                         { 0x0b, 0x00, 0x05 } };

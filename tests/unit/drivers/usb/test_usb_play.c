@@ -1,6 +1,6 @@
-/* test_usb_play.c -- tests that no credit is lost if the cable of a poi is unplugged a thousand
- * times during paid rounds. The test includes the USB thread (on a simulated bus), the decoder, the
- * frame loop and the core. */
+/* test_usb_play.c -- tests that no credit is lost when a poi is unplugged a thousand times during
+ * paid rounds. The USB thread, the decoder, the frame loop and the core are real. Only the bus is
+ * simulated. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -27,7 +27,8 @@
 
 static struct {
     struct usb_fixture fixture;
-    atomic_ullong now_ns; /* Simulated time of both threads, in ns. Each frame adds 1/60 s. */
+    atomic_ullong now_ns; /* Simulated time in ns, which both threads read. A frame adds
+                             1/60 s. */
     struct button_event event[2];
     struct buttons_sim buttons;
     struct poi_hid poi;
@@ -208,15 +209,16 @@ static void test_a_thousand_unplugs_lose_no_credit(void **state)
             frame();
             usleep(20);
         }
-        /* The round's pauses exceeded their limit in total, so the credit was refunded. */
+        /* The pauses of this round have exceeded their limit together, so its credit was
+         * refunded. */
         if (refunds() > paid_before) {
             assert_int_equal(credits(), had + 1u);
             paid_back++;
             begin_round();
             continue;
         }
-        /* A credit that was refunded once is not refunded a second time. This round was paid with
-         * such a credit, so it ended without a refund. */
+        /* A round that was paid with a refunded credit ends without another refund, because a
+         * credit is refunded only once. */
         if (!is_round()) {
             assert_int_equal(credits(), had);
             over++;
@@ -230,7 +232,8 @@ static void test_a_thousand_unplugs_lose_no_credit(void **state)
     assert_int_equal(resumed + paid_back + over, UNPLUG_COUNT);
     assert_in_range(over, 0, paid_back);
     assert_true(resumed > UNPLUG_COUNT * 9u / 10u);
-    /* The credit that pays for the current round is not in credits() any more. */
+    /* One more credit is not in credits(), because it pays for the running round. The counted
+     * rounds have used up the credits of `over`. */
     assert_int_equal(credits() + 1u + over, COINS);
     printf("# %u unplugs in a round: %u resumed, %u paid back, %u rounds counted, 0 credits lost\n",
            UNPLUG_COUNT, resumed, paid_back, over);

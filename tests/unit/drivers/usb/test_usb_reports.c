@@ -77,12 +77,13 @@ static void test_transfers_are_always_pending(void **state)
     fixture_send(poi, 1);
     assert_int_equal(fixture_take(&fixture, 0, &raw), 1);
     usleep(20000);
-    /* Several transfers must be pending even while no report arrives. */
+    /* Some transfers must be pending even while no report arrives, so that the next report is not
+     * missed. */
     assert_in_range(usb_sim_seen(poi).in_flight, 2, 16);
 }
 
-/* Sends ten more reports than the ring buffer holds. The newest report must still be delivered, and
- * the nine others are counted as lost. */
+/* Sends ten reports more than the ring buffer holds. The newest report must be delivered, and nine
+ * reports count as lost. */
 static void test_a_stalled_frame_gets_the_newest_report_and_counts_lost_ones(void **state)
 {
     (void)state;
@@ -123,7 +124,7 @@ static void test_a_transfer_error_does_not_release_the_slot(void **state)
     }
     assert_int_equal(usb_sim_seen(poi).opens, 1);
     usleep(50000);
-    /* Every transfer was submitted again. */
+    /* All four transfers were submitted again. */
     assert_int_equal(usb_sim_seen(poi).in_flight, 4);
 }
 
@@ -222,7 +223,8 @@ static void test_without_an_out_endpoint_output_is_sent_by_set_report(void **sta
         usleep(200);
     }
     const struct usb_sim_seen seen = usb_sim_seen(poi);
-    /* wValue contains the type of the report (0x02 for output) and the report id. */
+    /* For an output report, wValue contains the report type 0x02 in its high byte and the report id
+     * in its low byte. */
     assert_int_equal(seen.set_report_value, 0x0200 | POI_FORCE_ID);
     assert_memory_equal(seen.out, force_report, sizeof force_report);
 }
@@ -273,8 +275,8 @@ static void make_calls_of_a_frame(struct hid_device_list device_list, uint32_t f
     device_list.ops->choose(device_list.self, frame % 2u, true);
 }
 
-/* The simulated bus keeps the USB thread in libusb_close(). No call of the frame loop may wait for
- * that thread. Otherwise alarm() ends the test. */
+/* The simulated bus blocks the USB thread in libusb_close(). If a call of the frame loop waited for
+ * this thread, the test would block until alarm() ends it. */
 static void test_no_call_of_the_frame_loop_waits_for_the_bus(void **state)
 {
     (void)state;
@@ -300,8 +302,9 @@ static void test_no_call_of_the_frame_loop_waits_for_the_bus(void **state)
     usb_sim_set_faults(&(struct usb_sim_faults){ 0 });
 }
 
-/* The test gives commands faster than the event thread can store their rules on the disk. The
- * thread must still find a device that was plugged in. Otherwise alarm() ends the test. */
+/* The test gives commands faster than the USB thread can write the operator's choices to the disk.
+ * The thread must nevertheless find a device that was plugged in. Otherwise the test would block
+ * until alarm() ends it. */
 static void test_commands_without_end_do_not_keep_the_thread_from_devices(void **state)
 {
     (void)state;

@@ -50,8 +50,8 @@ static void fill_bytes(uint8_t bytes[HID_REPORT_MAX], uint32_t size, uint32_t nu
     memcpy(bytes, &number, sizeof number);
 }
 
-/* Successive reports differ in size, so that a report read with the size of an older one would be
- * detected. */
+/* Returns the size of report `number`. Successive reports have different sizes, so that a report
+ * with the size of an older one would be detected. */
 static uint32_t size_of(uint32_t number)
 {
     return 4u + number % (HID_REPORT_MAX - 3u);
@@ -118,7 +118,7 @@ static void report(uint32_t number)
     hid_port_report(&port, number, &byte, 1);
 }
 
-/* Takes a report and returns its time stamp; UINT32_MAX if there is no report. */
+/* Takes a report from the queue. Returns its time stamp, or UINT32_MAX if there is no report. */
 static uint32_t next_number(void)
 {
     struct hid_raw raw;
@@ -142,8 +142,8 @@ static void test_a_full_queue_keeps_the_newest_report_and_counts_lost_ones(void 
     for (uint32_t i = 0; i < 10; i++) {
         assert_int_equal(next_number(), i);
     }
-    /* The queue has room again. Report 5001, which is stored beside the queue, is older than report
-     * 5002 and must be taken first. */
+    /* The queue has room for report 5002 again. Report 5001 is still stored beside the queue, and
+     * must be taken before report 5002. */
     report(5002);
     assert_int_equal(atomic_load(&port.pushed), HID_REPORTS_MAX + 1u);
     for (uint32_t i = 10; i < HID_REPORTS_MAX; i++) {
@@ -155,22 +155,22 @@ static void test_a_full_queue_keeps_the_newest_report_and_counts_lost_ones(void 
     assert_int_equal(atomic_load(&port.lost), 1);
 }
 
-/* When the queue is full, the newest report is stored beside it. The order must stay correct even
- * if the port's own numbers of the reports wrap around. */
+/* When the queue is full, the newest report is stored beside the queue. The order of the reports
+ * must stay correct even if the port's numbers of reports wrap around from UINT32_MAX to 0. */
 static void test_the_report_beside_a_full_queue_stays_in_order_over_a_wrap(void **state)
 {
     (void)state;
     begin();
     port.next_number = UINT32_MAX - HID_REPORTS_MAX - 1u;
-    /* The port gives the last report of this loop the number UINT32_MAX, so that the counter of the
-     * port wraps around. */
+    /* The counter of the port was set so that the last report of this loop has the number
+     * UINT32_MAX. */
     for (uint32_t i = 0; i < HID_REPORTS_MAX + 2u; i++) {
         report(i);
     }
     for (uint32_t i = 0; i < HID_REPORTS_MAX - 1u; i++) {
         assert_int_equal(next_number(), i);
     }
-    report(9000); /* The port gives this report the number 0. */
+    report(9000); /* After the wrap, the port gives this report the number 0. */
     assert_int_equal(next_number(), HID_REPORTS_MAX - 1u);
     assert_int_equal(next_number(), HID_REPORTS_MAX + 1u);
     assert_int_equal(next_number(), 9000);
@@ -249,10 +249,10 @@ static void test_reports_of_a_removed_device_are_not_given_to_the_next(void **st
     face = face_of(2);
     hid_port_attach(&port, &face);
     hid_port_report(&port, 20, (const uint8_t *)"b", 1);
-    /* The last report of the first device is taken first. */
+    /* The last report of the first device is still delivered. */
     assert_int_equal(hid_port_take(&port, &raw), 1);
     assert_int_equal(raw.bytes[0], 'a');
-    /* The next call returns the end of the first device. */
+    /* The next call reports that the first device is gone. */
     assert_int_equal(hid_port_take(&port, &raw), HAL_ERR_GONE);
     assert_int_equal(hid_port_open(&port, &face), HAL_OK);
     assert_int_equal(face.identity.product, 2);

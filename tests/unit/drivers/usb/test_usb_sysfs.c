@@ -39,8 +39,8 @@ static void test_control_characters_are_removed_from_device_texts(void **state)
 
 /* ---- Device nodes --------------------------------------------------------------------------- */
 
-/* The input node is several levels below its device in /sys. A hub two levels above the device also
- * has a serial number, which must not be returned. */
+/* The input node lies several levels below its device in /sys. A hub two levels above the device
+ * has a serial number too, which must not be returned. */
 static void test_the_serial_number_of_an_input_node_is_found(void **state)
 {
     (void)state;

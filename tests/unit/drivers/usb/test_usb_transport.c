@@ -61,8 +61,8 @@ static void test_a_kingyo_poi_of_any_vendor_is_opened(void **state)
     assert_true(poi_descriptor_is(face.descriptor, face.descriptor_size));
     assert_int_equal(usb_sim_seen(poi).claimed_interfaces, 1);
     assert_int_equal(usb_sim_seen(poi).set_idles, 1);
-    /* The descriptor is read from the device, because a kernel driver may have changed the one in
-     * /sys. */
+    /* The driver has read the descriptor from the device, because a kernel driver may change the
+     * descriptor in /sys. */
     assert_int_equal(usb_sim_seen(poi).descriptor_reads, 1);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_ACTIVE));
     assert_int_equal(fixture_row(&fixture, 0).slot, 0);
@@ -102,7 +102,7 @@ static void test_a_foreign_device_with_the_test_id_is_released(void **state)
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_FREE));
     assert_int_equal(usb_sim_seen(device).releases, 1);
     assert_int_equal(usb_sim_seen(device).closes, 1);
-    usleep(300000); /* Waits 0.3 s, in which a wrong retry would open the device again. */
+    usleep(300000); /* If the transport retried, it would open the device again within 0.3 s. */
     assert_int_equal(usb_sim_seen(device).opens, 1);
 }
 
@@ -123,7 +123,7 @@ static void test_an_unknown_device_is_not_opened_until_it_is_chosen(void **state
         usleep(200);
     }
     assert_int_equal(usb_sim_seen(device).closes, 1);
-    /* The kernel's driver was attached again. */
+    /* The interface was released, so the kernel's driver could be attached again. */
     assert_int_equal(usb_sim_seen(device).releases, 1);
 }
 
@@ -293,8 +293,8 @@ static void test_a_device_that_is_announced_unconfigured_is_opened_later(void **
     usb_sim_plug(&own_poi, 1);
     usleep(50000);
     assert_int_equal(fixture_row(&fixture, 0).state, CONTROLLER_NONE);
-    /* The bus sends no event for the new configuration, so the transport must find it by
-     * polling. */
+    /* The bus sends no event when the device gets a configuration. The transport must therefore
+     * poll the device. */
     usb_sim_set_faults(&(struct usb_sim_faults){ 0 });
     assert_true(fixture_open(&fixture, 0, &face));
 }
@@ -304,7 +304,7 @@ static void test_without_hot_plug_events_the_bus_is_polled(void **state)
     (void)state;
     usb_sim_set_faults(&(struct usb_sim_faults){ .no_hotplug = 1 });
     fixture_start(&fixture, NULL, 0);
-    usleep(2100000); /* Waits until the transport has finished its start-up. */
+    usleep(2100000); /* After a bus change, the bus is polled for another 2 s. */
     usb_sim_plug(&own_poi, 1);
     assert_true(fixture_open(&fixture, 0, &face));
     assert_non_null(strstr(described(), "no hot-plug"));
@@ -322,11 +322,11 @@ static void test_a_denied_device_is_reported_with_the_udev_rule_file(void **stat
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_DENIED));
     assert_non_null(strstr(described(), "cafe:0b01 at USB port 3-1"));
     assert_non_null(strstr(described(), "70-kingyo.rules"));
-    /* The message must appear only once, although the transport retries. */
+    /* The error message must be reported only once, although the transport retries. */
     assert_int_equal(fixture_message(&fixture, line), 1);
     assert_string_equal(line, described());
     usb_sim_set_faults(&(struct usb_sim_faults){ 0 });
-    /* A retry succeeds without a new hot-plug event. */
+    /* A retry opens the device, although there was no new hot-plug event. */
     assert_true(fixture_open(&fixture, 0, &face));
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_ACTIVE));
     assert_null(strstr(described(), "rules"));

@@ -1,7 +1,9 @@
 /* test_usb_unplug.c -- tests that a device can be unplugged after any report, with each order of
- * the bus events. All earlier reports must be delivered in order. The port then returns
- * HAL_ERR_GONE once. When the device returns, it gets its former slot. The simulated bus counts
- * objects that are closed too early or twice. */
+ * the bus events.
+ *
+ * All earlier reports must be delivered in order, and then the port returns HAL_ERR_GONE once. When
+ * the device is plugged in again, it gets its former slot. The simulated bus counts objects that
+ * are closed too early or twice. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -48,8 +50,9 @@ static void take_reports(uint32_t from, uint32_t to)
     }
 }
 
-/* Sends `count` reports in bursts of BURST reports and takes each full burst. Takes the remaining
- * reports only if `count` is even. Otherwise they stay in the ring buffer. */
+/* Sends `count` reports in bursts of BURST reports, and takes the reports of each complete burst.
+ * If `count` is even, also takes the remaining reports. Otherwise the remaining reports stay in the
+ * ring buffer. */
 static void send_reports(uint32_t device, uint32_t count)
 {
     uint32_t taken = 0;
@@ -133,7 +136,7 @@ static void test_a_lost_poi_keeps_its_row_in_the_device_list(void **state)
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_ACTIVE));
     usb_sim_unplug(poi, USB_SIM_IO_FIRST);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_LOST));
-    /* The device returns in another port. Its serial number identifies it. */
+    /* The device was plugged into another port, and is identified by its serial number. */
     poi = usb_sim_plug(&own_poi, 5);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_ACTIVE));
     assert_int_equal(fixture_row(&fixture, 0).slot, 0);
@@ -142,7 +145,7 @@ static void test_a_lost_poi_keeps_its_row_in_the_device_list(void **state)
     usb_sim_unplug(poi, USB_SIM_GONE);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_LOST));
     const struct hid_device_list device_list = usb_transport_list(fixture.thread);
-    /* Releases the lost device, so that the thread no longer waits for its return. */
+    /* The operator releases the lost device, so its row is removed at once. */
     assert_int_equal(device_list.ops->choose(device_list.self, 0, false), HAL_OK);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_NONE));
 }
@@ -156,7 +159,7 @@ static void test_a_close_waits_for_late_transfers(void **state)
     assert_true(fixture_open(&fixture, 0, &face));
     usb_sim_unplug(first, USB_SIM_QUIET);
     assert_int_equal(fixture_take(&fixture, 0, &raw), HAL_ERR_GONE);
-    /* The device returns while its old handle is not closed yet. */
+    /* The device is plugged in again before its old handle is closed. */
     const uint32_t again = usb_sim_plug(&own_poi, 1);
     assert_true(fixture_open(&fixture, 0, &face));
     assert_int_equal(usb_sim_seen(first).closes, 0);
@@ -188,13 +191,13 @@ static void test_the_thread_waits_for_all_transfers_before_it_ends(void **state)
     assert_int_equal(usb_sim_end(), 0);
 }
 
-/* Teardown of the last test. Its transfers were never returned by the simulated kernel, so their
- * memory stays allocated. */
+/* Teardown of the last test. In this test, the simulated kernel never returns some transfers, so
+ * their memory stays allocated. */
 static int tear_down_what_is_left(void **state)
 {
     (void)state;
     assert_true(fixture_end(&fixture) > 0);
-    /* No object that a pending transfer needs was closed or freed. */
+    /* A breach is an object that was closed or freed while a pending transfer still needed it. */
     assert_int_equal(usb_sim_breaches(), 0);
     return 0;
 }

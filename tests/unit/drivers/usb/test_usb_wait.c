@@ -1,5 +1,6 @@
-/* test_usb_wait.c -- tests the retry and reservation times of the USB thread with a simulated
- * clock. Also tests a failing poll() and a choice file that cannot be read. */
+/* test_usb_wait.c -- tests after which times the USB thread retries and gives up a reserved slot,
+ * with a simulated clock. Also tests a failing poll(), and a file of the operator's choices that
+ * cannot be read. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -33,8 +34,8 @@ static void begin(void)
     fixture_start_with(&fixture, (struct hal_clock){ .ops = &ops }, NULL, 0);
 }
 
-/* Advances the clock. Plugs a keyboard in and out, because the resulting event wakes up the
- * thread. */
+/* Advances the clock by `seconds`. Then plugs a keyboard in and out, because the USB thread sleeps
+ * until an event wakes it up. */
 static void advance(uint64_t seconds)
 {
     atomic_fetch_add(&advanced_ns, seconds * NS_PER_S);
@@ -58,7 +59,7 @@ static int tear_down(void **state)
     return 0;
 }
 
-/* ---- Waiting times before retries ----------------------------------------------------------- */
+/* ---- Times between retries ------------------------------------------------------------------ */
 
 static void test_retries_of_a_device_without_a_descriptor_become_less_frequent(void **state)
 {
@@ -70,20 +71,19 @@ static void test_retries_of_a_device_without_a_descriptor_become_less_frequent(v
     advance(0);
     for (uint32_t i = 0; i < sizeof waits_s / sizeof waits_s[0]; i++) {
         assert_int_equal(usb_sim_seen(poi).opens, i + 1u);
-        /* Advances the clock to shortly before the next retry. The device must not be opened
-         * again. */
+        /* The retry is not due before this time, so the device must not be opened again. */
         advance(waits_s[i] - 2u + (waits_s[i] > 2u));
         assert_int_equal(usb_sim_seen(poi).opens, i + 1u);
-        advance(2); /* Advances the clock past the time of the retry. */
+        advance(2); /* The retry is now due. */
     }
     usb_sim_set_faults(&(struct usb_sim_faults){ 0 });
     advance(60);
-    /* The next retry, a minute later at the latest, opens the device. */
+    /* The wait is at most 60 s, so the next retry opens the device. */
     assert_true(fixture_open(&fixture, 0, &face));
 }
 
-/* The other three slots are in use, so another device could only get the slot of the unplugged
- * one. */
+/* The other three slots are in use. Another device could therefore get a slot only if the
+ * reservation of the unplugged device has ended. */
 static void test_a_slot_is_reserved_for_the_longest_pause_of_a_round(void **state)
 {
     (void)state;
@@ -132,7 +132,7 @@ static void test_a_slot_is_reserved_for_the_longest_pause_of_a_round(void **stat
     assert_int_equal(face.identity.product, 4);
 }
 
-/* With a limit of 0 open files (RLIMIT_NOFILE), poll() fails. The USB thread must then pause before
+/* With a limit of 0 open files (RLIMIT_NOFILE), poll() fails. The USB thread must then sleep before
  * each retry, and must still deliver reports. */
 static void test_a_failed_wait_pauses_and_reports_still_arrive(void **state)
 {
@@ -145,7 +145,8 @@ static void test_a_failed_wait_pauses_and_reports_still_arrive(void **state)
     assert_int_equal(getrlimit(RLIMIT_NOFILE, &before), 0);
     const struct rlimit none = { .rlim_cur = 0, .rlim_max = before.rlim_max };
     assert_int_equal(setrlimit(RLIMIT_NOFILE, &none), 0);
-    /* Report 1 ends the call of poll() that began before the limit of open files was set. */
+    /* poll() began before the limit was set, so it still succeeds. Report 1 ends this call, and the
+     * next call fails. */
     fixture_send(poi, 1);
     const int first = fixture_take(&fixture, 0, &raw);
     const uint32_t calls = usb_sim_calls();
@@ -160,7 +161,7 @@ static void test_a_failed_wait_pauses_and_reports_still_arrive(void **state)
     assert_int_equal(fixture_number(&raw), 2);
 }
 
-/* ---- File of chosen devices ----------------------------------------------------------------- */
+/* ---- File of the operator's choices --------------------------------------------------------- */
 
 static void choose_the_joystick(void)
 {

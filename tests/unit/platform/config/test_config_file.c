@@ -234,8 +234,9 @@ static void test_random_bytes_never_set_an_invalid_value(void **state)
     }
 }
 
-/* Reads the example file of `kingyoctl config defaults` twice: first unchanged, then without the
- * '#' before each key. Both must give no warning and leave every setting at its default. */
+/* Reads the example file of `kingyoctl config defaults` twice: unchanged, and without the '#'
+ * before each key. In both cases there must be no warning, and every setting must have its
+ * default. */
 static void test_the_example_file_contains_the_defaults(void **state)
 {
     static char text[32768], open[32768];
@@ -324,7 +325,7 @@ static void test_the_fish_count_of_a_file_is_limited_by_its_tank(void **state)
     assert_int_equal(read_text("fish = 1000\n"), 0);
     assert_int_equal(warning_count, 1);
     assert_non_null(strstr(warnings[0], ":1: fish: 1000 is too many; the festival tank holds 1 "));
-    /* The invalid line is ignored, so the setting is not set. */
+    /* The line has an invalid value, so the setting must not count as set. */
     assert_int_equal(options.file.is_set[SET_FISH], 0);
 }
 

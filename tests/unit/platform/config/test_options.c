@@ -224,7 +224,8 @@ static void check_most(const char *tank, uint8_t preset)
     memcpy(most, count, sizeof most);
     snprintf(count, sizeof count, "%u", max + 1u);
     assert_int_equal(parse(COUNT(fish_first), fish_first), -1);
-    assert_non_null(strstr(error, most)); /* The message contains the largest allowed number. */
+    assert_non_null(strstr(error, most)); /* The message must contain the largest allowed
+                                             number. */
     assert_int_equal(parse(COUNT(tank_first), tank_first), -1);
 }
 
@@ -263,8 +264,8 @@ static void test_the_mode_option_accepts_three_modes_and_ask(void **state)
 
 static struct settings settings;
 
-/* Computes `settings` from all sources. If `saved_id` is a setting, the menu has saved its value
- * `saved`. */
+/* Computes `settings` from all sources. If `saved_id` is a valid setting, the sources include the
+ * value `saved` that was set in the menu. */
 static void settle(uint32_t saved_id, int32_t saved)
 {
     options_first(&options, &settings);
@@ -381,7 +382,8 @@ static void test_a_kiosk_starts_at_the_normal_level_unless_the_level_is_set(void
         settle(SETTING_COUNT, 0);
         config_apply_settings(&core, &settings);
         assert_int_equal(core.level, cases[i].level);
-        /* A recording under rules 8 has no levels, so the level of the original game applies. */
+        /* Recordings with rules 8 were made before levels existed, so they replay at the level of
+         * the original game, LEVEL_MASTER. */
         core.rules = 8;
         config_apply_settings(&core, &settings);
         assert_int_equal(core.level, LEVEL_MASTER);

@@ -81,7 +81,7 @@ static void test_a_sound_card_plugged_in_after_the_start_is_used(void **state)
     sim.gone = 1;
     output_audio_open(&voice, &audio, 10 * S);
     for (uint64_t ms = 0; ms < 3000; ms += 10) {
-        /* put() returns the number of faults. A missing sound card is not a fault. */
+        /* put() returns the number of faults, and a missing sound card is not a fault. */
         assert_int_equal(put(0, 10 * S + ms * 1000000ull), 0);
     }
     assert_in_range(sim.open_count, 3, 4);

@@ -1,4 +1,4 @@
-/* test_cabinet.c -- Tests the whole kiosk with a simulated GPIO chip. Signals of coins and buttons
+/* test_cabinet.c -- Tests the whole kiosk with a simulated GPIO chip. Pulses of coins and buttons
  * must give credits, start a round, advance the coin meter and open the coin slot.
  *
  * In some tests a frame takes three seconds, or the GPIO chip is removed. */
@@ -100,7 +100,7 @@ static void test_two_coin_pulses_pay_a_round_and_advance_the_meter(void **state)
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        PULSE(1000, GPIO_START, 100), /* START must start nothing, because there is no credit
+        PULSE(1000, GPIO_START, 100), /* This START must have no effect, because there is no credit
                                          yet. */
         PULSE(2000, GPIO_COIN, 50),   PULSE(2500, GPIO_COIN, 50),
         PULSE(4000, GPIO_START, 100), PULSE(6000, GPIO_START, 100),
@@ -145,13 +145,14 @@ static void test_a_removed_gpio_chip_loses_no_credit_and_reconnects(void **state
         PULSE(1500, GPIO_COIN, 50),
         PULSE(1800, GPIO_COIN, 50),
         { .time_ns = 1852 * MS, .what = GPIO_SIM_GONE }, /* The chip is removed 2 ms after the pulse
-                                                            of the third coin. That coin must still
-                                                            be counted. */
+                                                            of the third coin, which must still be
+                                                            counted. */
         { .time_ns = 4000 * MS, .what = GPIO_SIM_BACK },
         PULSE(6000, GPIO_COIN, 50),
         LEVEL(7000, GPIO_COIN, 1),
-        { .time_ns = 7030 * MS, .what = GPIO_SIM_GONE }, /* The chip is removed during a coin pulse,
-                                                            so that this coin cannot be counted. */
+        { .time_ns = 7030 * MS, .what = GPIO_SIM_GONE }, /* The chip is removed during this coin
+                                                            pulse, so the coin cannot be
+                                                            counted. */
     };
     OPEN(events);
     run_until(3500);
@@ -163,8 +164,8 @@ static void test_a_removed_gpio_chip_loses_no_credit_and_reconnects(void **state
     assert_int_equal(rig.kiosk.faults.buttons, 1);
     run_until(8000);
     assert_int_equal(rig.kiosk.scene.credit.credits, 2);
-    assert_int_equal(rig.kiosk.faults.buttons, 1 + 2); /* Faults: two removals of the chip and one
-                                                          interrupted coin pulse. */
+    assert_int_equal(rig.kiosk.faults.buttons, 1 + 2); /* One interrupted coin pulse and two
+                                                          removals of the chip are three faults. */
     close_kiosk();
 }
 

@@ -35,8 +35,8 @@ static int remove_folder(void **state)
     return system(command);
 }
 
-/* Records `count` ticks without player input. Each tick is stored with a digest of the core's
- * state. The digest of tick `wrong` is false. */
+/* Records `count` ticks without player input. Each tick has a digest of the core's state, and the
+ * digest of tick `wrong` is set to a false value. */
 static void record(const char *name, uint32_t count, uint32_t wrong)
 {
     static struct recorder recorder;
@@ -98,8 +98,8 @@ static void test_the_demo_starts_in_the_round_and_catches_a_fish(void **state)
     assert_int_equal(demo_run(&session), EXIT_OK);
     const struct core *played = &session.kiosk.core;
     assert_int_equal(played->game.phase, PHASE_ROUND);
-    /* The demo lasts 15 s. The demo begins 0.75 s after the start of the round, when the poi has
-     * moved over the water. */
+    /* The demo lasts 15 s and begins 0.75 s after the start of the round, when the poi has moved
+     * over the water. The range allows 15.5 to 16 s. */
     assert_in_range(played->game.tick - played->game.round_tick, 31u * CORE_TICK_HZ / 2u,
                     16u * CORE_TICK_HZ);
     assert_true(played->game.player[0].caught > 0);

@@ -151,9 +151,9 @@ static void test_an_unset_clock_disables_night_mode(void **state)
     assert_float_equal(display_settings.light, 0.0f, 1e-6f);
 }
 
-/* Runs 24 hours of attract mode at 20 frames per second. At 720 lines an image offset is -4 .. 4
- * pixels in each direction, which makes 81 offsets. The test counts the used offsets and measures
- * the longest time at one offset. */
+/* Runs 24 hours of attract mode at 20 frames per second. At a height of 720 pixels the picture is
+ * shifted by -4 to 4 pixels in each direction, so there are 81 offsets. Counts the used offsets,
+ * and measures the longest time at one offset. */
 static void test_static_elements_shift_by_one_pixel_every_few_minutes(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_fan.c -- Tests the fan, a second tool that casts a shadow on the water. Mouse events and a
- * key move the fan through the driver, the frame loop and the core. */
+/* test_fan.c -- Tests the fan, a second tool of the player that casts a shadow on the water. Mouse
+ * events and a key move the fan through the driver, the frame loop and the core. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -38,7 +38,7 @@ static int open_mouse(void **state)
                    POINTER_FILTER_MOUSE);
     const struct hal_poi device = mouse_poi_devices(&mouse).poi;
     const int opened = device.ops->open(device.self);
-    /* Opens the device a second time, because the kiosk reopens a lost device. */
+    /* Opens the device twice, because the kiosk may open a device again after a loss. */
     return opened != HAL_OK ? -1 : device.ops->open(device.self);
 }
 
@@ -157,8 +157,8 @@ static void lead_fan(float x_px, float y_px, uint32_t buttons)
     rig.reports[rig.poi.feed.count++] = report(ms, x_px, y_px, buttons);
 }
 
-/* The mouse moves 4 pixels per frame. With two ticks per frame, the core must receive a step of 2
- * pixels in every tick. */
+/* The mouse moves 4 pixels per frame, and a frame has two ticks. The core must receive a step of 2
+ * pixels in every tick, instead of 4 pixels in every second tick. */
 static void test_each_tick_has_an_interpolated_fan_position(void **state)
 {
     (void)state;

@@ -176,7 +176,8 @@ static void push(uint32_t button)
     }
 }
 
-/* Selects the menu item that leads to `page` with SERVICE, and opens the page with TEST. */
+/* Presses SERVICE until the menu item that leads to `page` is selected. Then opens the page with
+ * TEST. */
 static void take(uint8_t page)
 {
     for (uint32_t i = 0; rig.display.scene.menu.tag != menu_tag_of(page) && i < MENU_TAG_MAX; i++) {
@@ -297,8 +298,8 @@ static void until_first_is(const struct scene_file *file, uint8_t state)
     assert_int_equal(file[1].state, state);
 }
 
-/* The operator acknowledges the row of a quarantined database with the menu item SEEN. The row
- * stays on the page, but the warning does not return, even after a restart. */
+/* The operator acknowledges a quarantined database with the menu item SEEN. The row of the database
+ * stays on the page, but the warning must not return, even after a restart. */
 static void test_a_quarantined_database_is_reported_until_acknowledged(void **state)
 {
     (void)state;

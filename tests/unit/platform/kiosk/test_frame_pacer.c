@@ -85,9 +85,9 @@ static void test_a_frame_far_from_60_hz_is_not_rounded(void **state)
 {
     (void)state;
     struct frame_pacer pace = running();
-    /* 12 ms are 1.44 ticks of 1/120 s, so one tick is due and 0.44 remain. */
+    /* 12 ms are 1.44 ticks of 1/120 s, so one tick is due and 0.44 ticks remain. */
     assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS), 1);
-    /* A remainder of 0.44 ticks plus 22 ms (2.64 ticks) gives three whole ticks. */
+    /* The remaining 0.44 ticks and 22 ms (2.64 ticks) are three whole ticks. */
     assert_int_equal(frame_pacer_ticks_due(&pace, S + 12 * MS + 22 * MS), 3);
 }
 

@@ -21,9 +21,9 @@ static void expect_in_tick(void *self, const struct input *input)
     rig.seen_count++;
 }
 
-/* Before each tick, the kiosk calls session_recorder_before(), which blocks the frame thread if
- * another thread has panicked. The test asserts that this call comes before the tap (the callback
- * of a recorder) gets the input. */
+/* Before each tick, the kiosk calls session_recorder_before(), which blocks the thread of the frame
+ * loop if another thread has panicked. This call must come before the recording callback (the tap)
+ * gets the input of the tick. */
 static void test_a_stopped_thread_stops_before_its_tap_records_the_tick(void **state)
 {
     static struct session_recorder chapters;
@@ -159,7 +159,7 @@ static void test_one_press_of_quit_never_ends_the_loop(void **state)
     script(&event, 1);
     frames(2);
     assert_int_equal(rig.display.scene.asks_quit, 1);
-    frames(1200); /* 1200 frames are 20 s. */
+    frames(1200); /* 1200 frames are 20 s, so the first QUIT has long timed out. */
     assert_int_equal(rig.kiosk.end, KIOSK_RUNS);
     assert_int_equal(rig.display.scene.asks_quit, 0);
 }
@@ -170,14 +170,14 @@ static void test_the_quit_confirmation_times_out_after_five_seconds(void **state
                                                   { .time_ns = 6200 * MS, .quit = 1 } };
     (void)state;
     script(events, 2);
-    /* The clock is at 6.1 s, more than five seconds after the first QUIT, so the confirmation is
-     * hidden. */
+    /* The clock is at 6.1 s, more than five seconds after the first QUIT, so the confirmation is no
+     * longer shown. */
     frames(305);
     assert_int_equal(rig.display.scene.asks_quit, 0);
     frames(20);
     assert_int_equal(rig.kiosk.end, KIOSK_RUNS);
-    assert_int_equal(rig.display.scene.asks_quit, 1); /* The second QUIT shows the confirmation
-                                                         again. */
+    assert_int_equal(rig.display.scene.asks_quit, 1); /* This QUIT counts as a first one, so it
+                                                         shows the confirmation again. */
 }
 
 static void test_any_other_button_cancels_the_quit_confirmation(void **state)
@@ -250,8 +250,8 @@ static void test_the_button_that_ends_a_playback_has_no_other_effect(void **stat
     rig.kiosk.wanted_replay_id = 7;
     frames(2);
     assert_int_equal(rig.kiosk.wanted_replay_id, 0);
-    assert_int_equal(rig.display.scene.playback, ENCORE_NONE); /* The storage contains no replay of
-                                                                  round 7. */
+    assert_int_equal(rig.display.scene.playback, ENCORE_NONE); /* The store has no replay of round
+                                                                  7, so nothing is played back. */
     script(events, 1);
     frames(2);
     while (rig.clock.now_ns < 3100 * MS) {

@@ -157,8 +157,10 @@ static int set_up(void **state)
     memset(&rig, 0, sizeof rig);
     rig.clock.now_ns = 1000 * MS;
     rig.frame_ns = FRAME_NS;
-    rig.level[HAL_COIN_LOCKOUT] = 1;       /* The driver starts with the coin slot locked. */
-    hold_pose_at(v3(-0.4f, 0.06f, -0.3f)); /* No menu item is at this position. */
+    rig.level[HAL_COIN_LOCKOUT] = 1;       /* The slot is locked until the kiosk sets this
+                                              switch. */
+    hold_pose_at(v3(-0.4f, 0.06f, -0.3f)); /* The poi is held at a place where no menu shows an
+                                              item. */
     rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     rig.hal.poi[0] = (struct hal_poi){ .ops = &poi };
@@ -203,7 +205,7 @@ static vec3 over_tag(uint32_t tag, float y_m)
               size_m.z * ((box.y + 0.5f * box.height) / canvas.y - 0.5f));
 }
 
-/* Opens the menu page of the only controller, moves the poi over the menu item `tag`, and then
+/* Opens the menu page of the only controller and moves the poi over the menu item `tag`. Then
  * selects the first item with the buttons. */
 static void open_controller_page(uint32_t tag)
 {
@@ -219,8 +221,9 @@ static void open_controller_page(uint32_t tag)
     }
 }
 
-/* A frame of 0.5 s has 60 ticks. TEST is pressed in the first tick and sends CHOOSE. The dip in the
- * middle of the frame sends LEARN. Both commands must be sent, in this order. */
+/* A frame of 0.5 s has 60 ticks. TEST is pressed in the first tick and gives the command CHOOSE.
+ * The poi dips in the middle of the frame, which gives the command LEARN. Both commands must reach
+ * the driver, in this order. */
 static void test_all_commands_of_the_longest_frame_are_sent_in_order(void **state)
 {
     (void)state;
@@ -240,8 +243,8 @@ static void test_all_commands_of_the_longest_frame_are_sent_in_order(void **stat
     assert_int_equal(rig.command_count, 2);
 }
 
-/* In each frame of 0.5 s the poi dips six times, so that a menu item is chosen several times. Every
- * command of the core must be sent. */
+/* The poi dips six times in each frame of 0.5 s, so a menu item is chosen several times. Every
+ * command of the core must reach the driver. */
 static void test_a_trembling_pose_over_a_menu_tag_loses_no_command(void **state)
 {
     (void)state;
@@ -272,7 +275,7 @@ static void drop(uint32_t coins)
 static void test_an_accepted_switch_level_is_sent_once(void **state)
 {
     (void)state;
-    rig.buttons.held = INPUT_DOOR; /* While the door is open, the coin slot is closed. */
+    rig.buttons.held = INPUT_DOOR; /* While the door is open, the coin slot must be locked. */
     drop(3);
     assert_int_equal(rig.level[HAL_COIN_LOCKOUT], 1);
     assert_int_equal(rig.asked[HAL_COIN_LOCKOUT], 0);
@@ -308,10 +311,10 @@ static void test_a_failing_switch_is_retried_each_second(void **state)
     assert_int_equal(rig.level[HAL_COIN_LOCKOUT], 0);
     memset(rig.asked, 0, sizeof rig.asked);
     rig.answer = HAL_ERR_IO;
-    push(INPUT_TEST); /* The coin slot is closed while the menu is open. */
+    push(INPUT_TEST); /* While the menu is open, the coin slot must be locked. */
     drop(1);
-    frames(190); /* The switches have failed for about 3.3 s, so each command was tried at 0, 1, 2
-                    and 3 s. */
+    frames(190); /* The switches have failed for about 3.3 s. Each command is retried once a second,
+                    so it was sent at 0, 1, 2 and 3 s. */
     assert_int_equal(rig.asked[HAL_COIN_LOCKOUT], 4);
     assert_int_equal(rig.asked[HAL_COIN_COUNTER], 4);
     assert_true(rig.kiosk.faults.switches >= 8);
@@ -333,7 +336,8 @@ static void test_an_obsolete_switch_command_is_not_retried(void **state)
     frames(1);
     assert_int_equal(rig.asked[HAL_COIN_LOCKOUT], 1);
     rig.answer = HAL_OK;
-    frames(120); /* The door is closed again, so the lockout command is obsolete. */
+    frames(120); /* The door is closed again before the retry, so the lockout command is
+                    obsolete. */
     assert_int_equal(rig.asked[HAL_COIN_LOCKOUT], 1);
     assert_int_equal(rig.level[HAL_COIN_LOCKOUT], 0);
 }
@@ -360,15 +364,15 @@ static int next_of_a_replay(void *self, struct input *out)
     return 1;
 }
 
-/* The kiosk plays back a recording, whose coins have been counted before. The coin slot must stay
- * locked, because the core gets no coins that are inserted now, and the coin meter must not
- * advance. */
+/* The kiosk plays back a recording, so the core gets the recorded coins, and none that is inserted
+ * now. The coin slot must therefore stay locked. The coin meter must not advance, because it
+ * counted these coins during the recording. */
 static void test_a_replay_does_not_drive_the_coin_lockout_or_the_meters(void **state)
 {
     (void)state;
     rig.kiosk.config.source = (struct kiosk_source){ .next = next_of_a_replay };
-    frames(20); /* 20 frames are 40 ticks with one coin each. 40 credits are fewer than the maximum
-                   of 99, at which the core requests the lockout. */
+    frames(20); /* 20 frames are 40 ticks with one coin each. The core requests the lockout only at
+                   99 credits. */
     assert_true(rig.kiosk.output.coins_counted > 0);
     assert_int_equal(rig.kiosk.output.coin_lockout, 0);
     assert_int_equal(rig.level[HAL_COIN_LOCKOUT], 1);

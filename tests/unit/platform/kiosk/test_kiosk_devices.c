@@ -42,8 +42,9 @@ static void test_a_disconnected_poi_keeps_its_pose_and_reconnects_within_a_secon
     }
     assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
     assert_true(rig.clock.now_ns < (2500 + 1000 + 20) * MS);
-    assert_in_range(rig.poi.feed.open_count, 3, 5); /* The kiosk opens the poi at the start, and
-                                                       tries to reopen a lost poi once a second. */
+    assert_in_range(rig.poi.feed.open_count, 3, 5); /* The kiosk opens the poi once at the start,
+                                                       and then tries to reopen it once a
+                                                       second. */
 }
 
 static void test_the_frame_loop_survives_an_unplug_at_any_report(void **state)
@@ -117,9 +118,9 @@ static void test_the_game_continues_while_the_display_is_unplugged(void **state)
     assert_int_equal(rig.kiosk.core.game.tick, tick + 600u);
     assert_int_equal(rig.kicks, 300);
     assert_int_equal(rig.display.present_count, shown);
-    assert_int_equal(rig.kiosk.faults.display, 1); /* One loss of the display is one fault, although
-                                                      many frames fail. */
-    /* The kiosk tries to open a lost display once a second instead of in every frame. */
+    assert_int_equal(rig.kiosk.faults.display, 1); /* The loss of the display counts as one fault,
+                                                      although many frames fail. */
+    /* The kiosk tries to reopen the display once a second instead of in every frame. */
     assert_in_range(rig.display.open_count, 4, 5);
     rig.display.away = 0;
     frames(62);

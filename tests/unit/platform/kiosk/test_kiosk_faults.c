@@ -1,7 +1,7 @@
 /* test_kiosk_faults.c -- Tests controllers that fail during a scoop, in the real frame loop.
  *
- * The tests check that no controller fault tears the paper, and that a recording of the faults
- * replays exactly. The paper is wet, of the weakest grade, and 6 cm below the water surface. */
+ * No fault of a controller may tear the paper, and a recording of the faults must replay exactly.
+ * The paper is wet, of the weakest grade, and 6 cm below the water surface. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -127,18 +127,19 @@ static void test_a_sensor_fault_pauses_the_round_and_tears_no_paper(void **state
         uint32_t ms, lost_min, lost_max; /* Duration of the fault in ms, and limits for the number
                                             of frames without valid input. */
     } cases[] = {
-        /* The kiosk tries to reopen a missing device once a second. The input is therefore lost for
-         * up to one second longer than the device. */
+        /* The kiosk tries to reopen a missing device once a second, so the input is lost for up to
+         * one second longer than the device. */
         { SENSOR_GONE, 700, 40, 160 },
-        { SENSOR_SILENT, 1200, 50, 70 }, /* The input is lost after 0.5 s without a report, and
-                                            until 0.25 s after the fault. */
+        { SENSOR_SILENT, 1200, 50, 70 }, /* The input counts as lost from 0.5 s after the last
+                                            report until 0.25 s after the fault. */
         { SENSOR_SILENT, 300, 0, 0 },
         { SENSOR_HELD_BACK, 300, 0, 0 },
         { SENSOR_HELD_BACK, 1200, 50, 70 },
-        { SENSOR_STUCK, 2000, 70, 85 },  /* A pose that does not change for 1 s counts as lost. */
-        { SENSOR_JUMPED, 8, 14, 20 },    /* After a jump, the input is lost for 0.25 s. */
-        { SENSOR_JUMPED, 1500, 14, 40 }, /* The input is lost at the jump and when the pose jumps
-                                            back. */
+        { SENSOR_STUCK, 2000, 70, 85 },  /* The input counts as lost after 1 s with the same
+                                            pose. */
+        { SENSOR_JUMPED, 8, 14, 20 },    /* The input counts as lost for 0.25 s after a jump. */
+        { SENSOR_JUMPED, 1500, 14, 40 }, /* The input is lost twice: at the jump, and when the pose
+                                            jumps back. */
         { SENSOR_FLIPPED, 100, 18, 30 },
         { SENSOR_NOT_A_NUMBER, 100, 18, 30 },
         { SENSOR_GARBAGE, 500, 40, 50 },
@@ -230,22 +231,21 @@ static void test_a_pointer_jump_under_water_tears_no_paper(void **state)
     rig.lost_frames = 0;
     rig.report.x_px = 1030.0f;
     frames(240);
-    assert_int_equal(rig.lost_frames, 0); /* The poi moves slowly to the new position, so the jump
-                                             is no input loss. */
+    assert_int_equal(rig.lost_frames, 0); /* The poi moves to the new position at a limited speed,
+                                             so the jump of the pointer is not an input loss. */
     assert_int_equal(rig.kiosk.core.world.poi[0].sheet.paper_cells, cells);
     assert_float_equal(rig.kiosk.core.world.poi[0].position_m.x, seen()->target.position_m.x,
                        0.01f);
 }
 
-/* Moves the pointer across the screen 14 times, in alternating directions, as a player does who
- * shakes the mouse. The movements take 6 to 19 frames. */
+/* Moves the pointer across the screen 14 times, to the right and to the left in turn, as a player
+ * does who shakes the mouse. The first movement takes 6 frames and the last one 19. */
 static void test_a_fast_mouse_movement_is_not_an_input_loss(void **state)
 {
     (void)state;
     open_with_pointer();
     start_round();
     rig.lost_frames = 0;
-    /* Each loop moves the pointer across the screen, first in 6 frames (100 ms). */
     for (uint32_t frame_count = 6; frame_count < 20; frame_count++) {
         for (uint32_t i = 1; i <= frame_count; i++) {
             const float t = (float)i / (float)frame_count;
@@ -273,8 +273,8 @@ static void test_random_pointer_reports_are_tolerated(void **state)
     assert_true(rig.pointer.spoil_count > 500);
 }
 
-/* A mouse may rest for any time, so an unchanged position must not count as a stuck sensor. The
- * test runs for 10 s. */
+/* A mouse may rest for any time, here for 10 s, so an unchanged position must not count as a stuck
+ * sensor. */
 static void test_a_pointer_at_rest_never_times_out(void **state)
 {
     (void)state;
@@ -326,7 +326,7 @@ static void test_one_faulty_sensor_pauses_all_four_players(void **state)
         assert_int_equal(sheet->paper_cells, sheet->paper_cells_new);
         assert_true(v3_length(v3_sub(core->world.poi[i].position_m, others[i].pose.position_m)) <
                     0.01f);
-        assert_true(others[i].felt.force_n.y != 0.0f); /* Each of the other controllers still gets
+        assert_true(others[i].felt.force_n.y != 0.0f); /* The other three controllers still get
                                                           force feedback. */
     }
 }

@@ -27,7 +27,7 @@ static const uint8_t joystick[] = { 0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x85, 0x
 static struct {
     const uint8_t *descriptor;
     uint32_t size;
-    /* The errno that each simulated system call sets. 0 means that the call succeeds. */
+    /* errno that each simulated system call sets, or 0 if the call succeeds. */
     int open_errno, ioctl_errno, read_errno;
     int device; /* End of the socket pair to which the tests write reports. */
     int ours;
@@ -57,7 +57,7 @@ int __wrap_ioctl(int file, unsigned long request, void *out)
         *(int *)out = (int)kernel.size;
     } else if (request == HIDIOCGRDESC) {
         struct hidraw_report_descriptor *said = out;
-        /* The kernel copies `size` bytes, so the caller must set `size` first. */
+        /* The caller sets `size` to the size of the descriptor before it requests the bytes. */
         assert_int_equal(said->size, kernel.size);
         memcpy(said->value, kernel.descriptor, kernel.size);
     }
@@ -168,8 +168,8 @@ static void test_a_path_that_is_not_a_node_needs_a_descriptor(void **state)
     kernel.ioctl_errno = ENOTTY;
     assert_int_equal(hid_source_open(&source, "/dev/null", &descriptor, NULL), EXIT_USAGE);
     assert_int_equal(source.file, -1);
-    kernel.ours = kernel.device; /* The source has closed its end, so the teardown must not close
-                                    that end again. */
+    kernel.ours = kernel.device; /* The tested source has closed this end of the socket pair, so the
+                                    teardown must not close it again. */
 }
 
 static void test_a_device_without_permission_is_an_io_error(void **state)

@@ -1,5 +1,5 @@
-/* test_doctor_gpio.c -- Tests what kingyoctl doctor, the check of an installation, reports about a
- * configured GPIO line. */
+/* test_doctor_gpio.c -- Tests what `kingyoctl doctor` reports about a configured GPIO line. This
+ * command checks the installation of a kiosk. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -91,7 +91,7 @@ static void shape_keys(const struct species *species)
 }
 
 /* Returns the largest distance from a vertex of the species to the nearest imported vertex of the
- * same part. The distance of two vertices is the maximum over all keys. */
+ * same part. The distance of two vertices is the largest of their distances in all keys. */
 static float farthest_vertex(const struct species *species)
 {
     const struct species_mesh *ours = &species->lod[0], *theirs = &slot.species.lod[0];
@@ -156,8 +156,8 @@ static void test_imported_obj_shapes_match_within_quantization(void **state)
     for (uint32_t i = 0; i < species_table_count; i++) {
         const struct species *species = species_table[i];
         read_objs(species, 0, 1.0f);
-        /* The mesh already has Kingyo's size and position, so the importer must not move the
-         * mesh. */
+        /* The mesh already has the size and position of a Kingyo species, so the importer must not
+         * move the mesh. */
         mesh.is_ours = true;
         struct import_options plan = *plan_of(species);
         plan.front = AXIS_MINUS_Z;
@@ -188,7 +188,8 @@ static void test_an_ambiguous_up_axis_is_reported(void **state)
 {
     (void)state;
     read_objs(&species_wakin, 2, 1.0f);
-    /* In this file the nose points to +y, but the options do not name the up axis. */
+    /* In this file the nose points to +y, which the importer takes for the direction of the back
+     * unless the options name another one. */
     struct import_options plan = *plan_of(&species_wakin);
     assert_int_equal(build_from(&plan), EXIT_BAD_DATA);
     assert_string_equal(
@@ -301,7 +302,7 @@ static void test_given_lengths_define_a_matching_growth_curve(void **state)
     (void)state;
     static struct species drawn;
     drawn = species_wakin;
-    /* The model species has a manual table of lengths. */
+    /* The lengths of the model species come from a table instead of a growth curve. */
     drawn.card.scale_knot_count = 2;
     drawn.card.scale_knots[0] = (struct scale_knot){ 0.0f, 0.005f };
     drawn.card.scale_knots[1] = (struct scale_knot){ 1.0f, 0.15f };
@@ -320,7 +321,7 @@ static void test_given_lengths_define_a_matching_growth_curve(void **state)
     assert_float_equal(growth_length_m(&card.growth, card.key_age_days[4]), 2.5f, 1e-4f);
     assert_float_equal(life_length_m(&card, life_progress(&card, card.key_age_days[2])), 1.5f,
                        1e-4f);
-    /* Without lengths in the options, the importer copies the lengths of the model species. */
+    /* The options give no lengths, so the importer must copy those of the model species. */
     plan.length_count = 0;
     assert_int_equal(build_from(&plan), EXIT_OK);
     assert_memory_equal(&slot.species.card.growth, &drawn.card.growth, sizeof drawn.card.growth);
@@ -338,7 +339,7 @@ static void test_ages_that_contradict_the_growth_curve_are_rejected(void **state
     const double growth[5] = { 1e3 * (double)g->length_inf_m, (double)g->k_per_year,
                                (double)g->t0_year, 5.0, (double)g->fade_year };
     memcpy(plan.growth, growth, sizeof growth);
-    /* Growth is half as fast, so the imported fish reaches each length at a higher age than the
+    /* With half the growth rate, the imported fish must reach each length at a higher age than the
      * goldfish. */
     plan.growth[1] *= 0.5;
     if (build_from(&plan) != EXIT_OK) {
@@ -395,17 +396,16 @@ static void test_a_sheet_gets_two_sides(void **state)
     read_three(text);
     const struct species_mesh *near = &slot.species.lod[0];
     assert_int_equal(near->index_count, 3 * (4 + 2));
-    /* A fin has two sides, whose triangles have the same three vertices. */
+    /* A fin is imported with two sides. The two triangles begin at the same vertex. */
     assert_int_equal(near->indices[12], near->indices[15]);
-    /* The triangle of the second side has its vertices in reverse order, because the second side
-     * faces the other way. */
+    /* The other two vertices are in reverse order, because the second side faces the other way. */
     assert_int_equal(near->indices[13], near->indices[17]);
     assert_int_equal(near->indices[14], near->indices[16]);
     snprintf(text, sizeof text, TETRA "g dorsal\n%sf 5 6 7\nf 7 6 5\n", fin);
-    read_three(text); /* A fin that already has two sides gets no further sides. */
+    read_three(text); /* This fin already has two sides, so no side is added. */
     assert_int_equal(near->index_count, 3 * (4 + 2));
-    /* The body gets no second side: the mesh has the four triangles of the body and the triangle
-     * that is added here. */
+    /* The body gets no second side. The mesh therefore has the four triangles of the body and the
+     * one that this line adds. */
     snprintf(text, sizeof text, TETRA "%s", "f 1 3 2\n");
     read_three(text);
     assert_int_equal(near->index_count, 3 * 5);
@@ -475,7 +475,7 @@ static void test_an_exported_species_is_imported_within_quantization(void **stat
                                1e-4f * card.key_age_days[key]);
         }
         for (uint32_t key = 0; key < card.key_count; key++) {
-            /* The file contains all fields of a coat except the marks. */
+            /* A file stores all fields of a coat except the marks. */
             const struct species_coat *drawn = &species->coats[key];
             const struct species_coat *back = &slot.species.coats[key];
             assert_int_equal(back->mark_count, 0);

@@ -65,7 +65,7 @@ static void shape_of(const struct species_mesh *body, uint32_t key_count, uint32
     morph_shape(body, key_count, &pose, out, NULL);
 }
 
-/* Copies the shape of `key` from `other` to `mesh`, as if imported from another program. Every
+/* Fills `mesh` with the shape of `key` from `other`, as if another program had exported it. Every
  * third vertex is moved off the surface by up to `noise` body lengths, as in a 3D scan. */
 static void make_mesh(uint32_t key, float noise)
 {
@@ -106,8 +106,8 @@ static void tell(const char *what, const struct refit_error *e)
                   100.0 * (double)e->rms, 100.0 * (double)e->max);
 }
 
-/* Fits the mesh of a young fish (fry) to the surface of the adult. Each vertex must move near the
- * position of the same vertex in the adult. */
+/* Fits the mesh of the youngest key (a fry) to the surface of the adult. Each vertex must end near
+ * its true position in the adult. */
 static void test_fitting_a_fry_to_the_adult_finds_each_vertex(void **state)
 {
     (void)state;
@@ -165,8 +165,8 @@ static void test_one_species_is_fitted_to_another(void **state)
     }
 }
 
-/* Adds a hair to the mesh: a triangle without area from one vertex to a tip far away. No fitted
- * vertex reaches the tip, so the fit error must show the distance. */
+/* Adds a hair to the mesh: a triangle without area between one vertex and a tip far away. The
+ * fitted fish does not reach the tip, so the fit error must include the distance to the tip. */
 static void test_the_fit_error_covers_every_vertex(void **state)
 {
     (void)state;
@@ -185,8 +185,8 @@ static void test_the_fit_error_covers_every_vertex(void **state)
         mesh.groups[hair] = mesh.groups[0];
         pack_copy(&species_wakin, &slot);
         refit_key(&slot, 0, &mesh, &marks, &result);
-        /* The fit uses only corner `hair % 3` of each triangle, so the fish is fitted to the tip
-         * only if the tip is that corner. */
+        /* Of each triangle, only the corner `hair % 3` attracts the fish. If the tip is another
+         * corner, the fish stays away from the tip, and the error is more than 0.1. */
         assert_true(corner == hair % 3 || result.from_mesh.max > 0.1f);
     }
 }

@@ -88,8 +88,8 @@ static void test_larger_text_has_proportionally_more_ink(void **state)
     canvas_words(&small, 100.0f, 60.0f, 16.0f, ALIGN_CENTRE, 0, "mm");
     canvas_words(&large, 100.0f, 60.0f, 48.0f, ALIGN_CENTRE, 0, "mm");
     const float ratio = ink(&large, 0, WIDTH) / ink(&small, 0, WIDTH);
-    assert_true(ratio > 8.0f && ratio < 10.0f); /* Text of three times the size has nine times the
-                                                   area. */
+    assert_true(ratio > 8.0f && ratio < 10.0f); /* Text of three times the size covers nine times
+                                                   the area. */
     canvas_close(&small);
     canvas_close(&large);
 }
@@ -195,7 +195,7 @@ static void test_the_first_key_is_red_and_each_key_has_its_own_colour(void **sta
             assert_int_equal(key_colour(count, count - 1u), key_colour(3, 2));
         }
     }
-    /* The middle key has the same colour with three and with five keys. */
+    /* The middle key of five has the colour of the middle key of three. */
     assert_int_equal(key_colour(5, 2), key_colour(3, 1));
 }
 

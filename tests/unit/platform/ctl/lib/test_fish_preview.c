@@ -34,16 +34,16 @@ static void test_every_fish_fits_its_bounds_with_its_nose_left(void **state)
         struct fish_preview_bounds side = fish_preview_nowhere, above = fish_preview_nowhere;
         fish_preview_measure(&portrait, VIEW_SIDE, &side);
         fish_preview_measure(&portrait, VIEW_ABOVE, &above);
-        assert_true(f_abs(side.left + 0.5f) < 0.02f); /* In body lengths, the snout is at z =
-                                                         -0.5. */
+        assert_true(f_abs(side.left + 0.5f) < 0.02f); /* Pictures have the unit body length, and the
+                                                         snout is at z = -0.5. */
         assert_true(side.right > side.left + 0.9f);
         assert_true(above.left == side.left && above.right == side.right);
         assert_true(side.high > side.low && above.high > above.low);
     }
 }
 
-/* Counts the drawn pixels in the columns of the fish and in the margins. No pixel in a margin may
- * be drawn. */
+/* Counts the drawn pixels in the columns of the fish and in the margins. The margins must stay
+ * empty. */
 static void test_every_fish_is_drawn_within_bounds_in_every_view(void **state)
 {
     (void)state;
@@ -113,8 +113,8 @@ static void test_a_piece_has_one_part_one_side_and_a_unique_name(void **state)
     }
 }
 
-/* With full weight of one key, the vertex colours must be valid, and the vertices of the eyes must
- * have the colours of paint_at(). */
+/* For a graph that shows only one key, the vertex colours must be valid. The vertices of the eyes
+ * must have the colours that paint_at() computes. */
 static void test_vertex_colours_match_the_surrounding_texture(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_piecewise_fit.c -- Tests the conversion of a curve to a table of samples. More curvature
- * must give more samples. */
+/* test_piecewise_fit.c -- Tests the conversion of a curve to a table of samples. A more curved part
+ * of the curve must get more samples. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -31,7 +31,7 @@ static void ask_parabola(const void *self, float progress, float *values)
     values[0] = progress * progress;
 }
 
-/* A curve that is 0 up to the progress `*self` and then rises with slope 1. */
+/* Tested curve: 0 up to the progress `*self`, and then a rise with slope 1. */
 static void ask_corner(const void *self, float progress, float *values)
 {
     const float at = *(const float *)self;
@@ -92,8 +92,7 @@ static void test_samples_concentrate_at_a_corner(void **state)
     const struct piecewise_fit_function f = { 1, ask_corner, error, &corner };
     assert_true(piecewise_fit_fit(&track, &f, ends, 2, TOLERANCE));
     assert_true(track.count < 40);
-    /* At the corner the error may exceed the tolerance, because no sample lies exactly on the
-     * corner. */
+    /* No sample lies exactly on the corner, so the error there may exceed the tolerance. */
     assert_true(worst(&track, &f) <= 4.0f * TOLERANCE);
     for (uint32_t i = 1; i < track.count; i++) {
         assert_true(track.progress[i] > track.progress[i - 1]);
@@ -112,8 +111,8 @@ static void test_a_mark_on_the_corner_needs_no_further_samples(void **state)
     piecewise_fit_free(&track);
 }
 
-/* A function with a jump, which no polyline can fit within the tolerance. The fit must still
- * end. */
+/* Tested curve with a jump, to which no polyline can be fitted within the tolerance. The fit must
+ * nevertheless end. */
 static void ask_step(const void *self, float progress, float *values)
 {
     (void)self;

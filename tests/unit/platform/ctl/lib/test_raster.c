@@ -120,7 +120,8 @@ static vec3 centre_of_three(const uint32_t order[3])
                                           { { 0.0f, 0.0f, 1.0f }, 1.0f } };
     struct stand s = set_up();
     for (uint32_t i = 0; i < 3; i++) {
-        const float depth = (float)(3 - order[i]); /* Red is nearest and blue is farthest. */
+        const float depth = (float)(3 - order[i]); /* The red triangle is nearest and the blue one
+                                                      is farthest. */
         draw(&s, v3(-9.0f, -9.0f, depth), v3(-9.0f, 90.0f, depth), v3(90.0f, -9.0f, depth),
              &flats[order[i]]);
     }
@@ -143,8 +144,8 @@ static void test_layers_are_sorted_by_depth_in_any_drawing_order(void **state)
     }
 }
 
-/* A red and a green triangle cross along x = 16.25. Pixel 16 must therefore be about one quarter
- * red. The tolerance is large because each pixel has few samples. */
+/* A red and a green triangle intersect along x = 16.25. About one quarter of pixel 16 must
+ * therefore be red. The tolerance is large because each pixel has few samples. */
 static void test_crossing_sheets_are_resolved_below_a_pixel(void **state)
 {
     (void)state;

@@ -46,8 +46,8 @@ static void test_the_volume_of_a_closed_box_is_correct(void **state)
     assert_false(morph_skin_has(&skin, v3(0.0f, 0.0f, 0.0f)));
 }
 
-/* Many lines of the lattice pass through corners, edges and diagonals of the box. A wrong ray test
- * counts such a crossing twice or not at all. */
+/* Tests the points of a lattice. Many lines between lattice points pass through corners, edges and
+ * diagonals of the box. A wrong ray test counts such a crossing twice or not at all. */
 static void test_every_lattice_point_is_classified_as_inside_or_outside(void **state)
 {
     (void)state;

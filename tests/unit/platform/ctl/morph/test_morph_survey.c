@@ -1,5 +1,5 @@
-/* test_morph_survey.c -- Tests the survey of a species, which measures flaws of its shapes. Each
- * test adds one flaw to a fish and checks the value for this flaw. */
+/* test_morph_survey.c -- Tests the survey of a species, which measures the flaws of its shapes
+ * during growth. Each test adds one flaw to a fish and checks the measured value. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -94,7 +94,8 @@ static void test_a_key_with_a_remaining_second_weight_is_detected(void **state)
     (void)state;
     struct graph *graph = &rig.curves[0];
     const uint32_t last = graph->knot_count - 1u;
-    /* The last knot gives a small weight to key 0 in addition to the last key. */
+    /* At its end, the graph gives a small weight to key 0 in addition to the full weight of the
+     * last key. */
     graph->knots[last].weight[0] = 1e-3f;
     measure();
     assert_true(survey.key_error.value > 1e-5f);
@@ -135,15 +136,15 @@ static void test_a_fin_that_flips_is_detected(void **state)
     const uint32_t seen = survey.flipped_fins;
     assert_true(seen > 0);
     assert_true(survey.flipped_at > 0.5f);
-    /* More or fewer samples must give the same result. */
+    /* The number of flips must not depend on the number of samples. */
     morph_survey(&fish, &rig, 0, 4 * STEPS, &survey);
     assert_int_equal(survey.flipped_fins, seen);
     morph_survey(&fish, &rig, 0, 5, &survey);
     assert_int_equal(survey.flipped_fins, seen);
 }
 
-/* The fin of a hatchling unfolds within a few hundredths of the growth. The unfolding must not be
- * counted as a flip, at any number of samples. */
+/* The fin of a hatchling unfolds very fast, within a few hundredths of the growth. The unfolding
+ * must not count as a flip, whatever the number of samples. */
 static void test_a_fast_fin_rotation_is_not_a_flip(void **state)
 {
     (void)state;
@@ -163,7 +164,7 @@ static void test_a_folded_surface_is_detected(void **state)
     const uint32_t i = mesh->grid_first + mesh->grid_rings / 2u * (mesh->grid_spokes + 1u) +
                        mesh->grid_spokes / 4u;
     for (uint32_t key = 0; key < fish.card.key_count; key++) {
-        /* Moves the vertex through the left side of the body. */
+        /* Moves the vertex to the left through the opposite side of the body. */
         points[key][i].x = (int16_t)(-2 * points[key][i].x);
     }
     measure();
@@ -202,8 +203,8 @@ static void test_a_fin_tip_inside_the_body_is_detected(void **state)
     assert_int_equal(survey.fin_in_body.vertex, tip);
 }
 
-/* The graph leads from the middle key to key 0 and back. Key 0 gets half the width of the middle
- * key, so the fish gets thinner between two equal keys. */
+/* The graph leads from the middle key to key 0 and back. Key 0 is changed to half the width of the
+ * middle key, so the fish becomes thinner between two equal shapes. */
 static void test_a_stage_thinner_than_both_keys_is_detected(void **state)
 {
     (void)state;
@@ -227,8 +228,8 @@ static void test_a_hole_in_the_body_is_detected(void **state)
     (void)state;
     measure();
     assert_int_equal(survey.moments_open, 0);
-    for (uint32_t i = 300; i < 390; i++) { /* 90 indices are thirty triangles, which collapse to one
-                                              point. */
+    for (uint32_t i = 300; i < 390; i++) { /* The 90 indices are those of thirty triangles, which
+                                              collapse to one point and leave a hole. */
         assert_int_equal(vertices[indices[i]].part, PART_BODY);
         indices[i] = indices[300];
     }
@@ -256,17 +257,17 @@ static void test_key_ages_out_of_order_are_detected(void **state)
     assert_int_equal(survey.moments_not_older, 0);
     assert_true(survey.off_growth.value < 0.02f);
     assert_true(survey.progress_lost.value < 1e-3f && survey.length_lost.value < 1e-3f);
-    /* Key 3 gets almost the same age as key 2. */
+    /* Sets key 3 to almost the same age as key 2. */
     fish.card.key_age_days[3] = nextafterf(fish.card.key_age_days[2], 1e6f);
     measure();
-    /* Between the two keys, the age does not rise at four of five samples. */
+    /* Four of the five samples between the two keys show no rise of the age. */
     assert_int_equal(survey.moments_not_older, 4);
     assert_float_equal(survey.age_stands_at, 0.55f, 1e-6f);
     assert_true(survey.progress_lost.value > 0.1f);
 }
 
-/* Key 3 has a length of 45 mm. The test sets the age of key 3 to 200 days, where the growth curve
- * gives 73.6 mm. */
+/* Key 3 has a length of 45 mm. The test sets the age of key 3 to 200 days, at which the growth
+ * curve gives 73.6 mm. */
 static void test_a_key_off_the_growth_curve_is_detected(void **state)
 {
     (void)state;
@@ -274,8 +275,8 @@ static void test_a_key_off_the_growth_curve_is_detected(void **state)
     measure();
     assert_float_equal(survey.off_growth.value, 1.0f - 45.0f / 73.6f, 1e-3f);
     assert_float_equal(survey.off_growth.progress, 0.75f, 1e-6f);
-    fish.card.scale_knot_count = 2; /* A manual table of lengths may differ from the growth
-                                       curve. */
+    fish.card.scale_knot_count = 2; /* With a manual table of lengths, the species may differ from
+                                       the growth curve. */
     fish.card.scale_knots[0] = (struct scale_knot){ 0.0f, 0.005f };
     fish.card.scale_knots[1] = (struct scale_knot){ 1.0f, 0.150f };
     measure();

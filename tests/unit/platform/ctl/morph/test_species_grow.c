@@ -110,9 +110,9 @@ static void test_no_stage_is_thinner_than_both_neighbouring_keys(void **state)
     MOST(volume_dip.value, 0.02f)
 }
 
-/* The eye of a flatfish migrates to the other side of the head. With curves, the eye moves around
- * the head. In the ordinary morph, points move in straight lines, so the eye passes through the
- * head. */
+/* The eye of a flatfish migrates to the other side of the head. Along the species' curves, the eye
+ * moves around the head. In the ordinary (linear) morph each point moves in a straight line, so the
+ * eye moves through the head. */
 static void
 test_the_migrating_eye_moves_around_the_head_but_through_it_in_the_ordinary_morph(void **state)
 {

@@ -30,8 +30,8 @@ static void run(const struct paper_options *plan)
     }
 }
 
-/* Returns the lowest speed in m/s that tears the paper within 0.05 s. A binary search finds the
- * speed with a relative error of 0.001. */
+/* Returns the lowest speed in m/s at which the paper tears within 0.05 s. The speed is found by
+ * binary search, with a relative error of 0.001. */
 static float instant_m_s(struct paper_options plan)
 {
     float low = 0.05f, high = 4.0f;
@@ -123,9 +123,10 @@ static void test_paper_tears_at_the_speed_of_the_membrane_formula(void **state)
         const struct paper_grade *grade = sheet_grade(number);
         struct paper_options plan = wet(number);
         plan.ideal = 1;
-        /* The tension of a round membrane under the pressure p is T = 0.423 (Y p^2 a^2)^(1/3), with
-         * the stiffness Y and the radius a. The pressure of a flow is p = 1.17 rho v^2 / 2. The
-         * formulas give the speed v at which T equals the wet strength. */
+        /* A pressure p stretches a round membrane with the tension T = 0.423 (Y p^2 a^2)^(1/3),
+         * where Y is the stiffness and a the radius. A flow with the speed v has the pressure p =
+         * 1.17 rho v^2 / 2. The code solves these formulas for the speed at which T equals the wet
+         * strength. */
         const float stretch = grade->wet_n_m / 0.423f;
         const float pressure_pa =
             f_sqrt(stretch * stretch * stretch / grade->stiffness_n_m) / POI_RADIUS_M;

@@ -1,5 +1,5 @@
-/* test_rounds.c -- Tests the simulated rounds of `kingyoctl play`. A round must be identical alone,
- * in parallel and on any CPU, and its statistics must be those of the kiosk. */
+/* test_rounds.c -- Tests the simulated rounds of `kingyoctl play`. A round must have the same
+ * result alone, in parallel and on any CPU, and its statistics must be those of the kiosk. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -91,13 +91,14 @@ static void test_a_round_has_the_configured_length(void **state)
     plan.grade = 4;
     plan.technique = technique_expert;
     const struct round_result result = alone(plan);
-    /* After the end of the time, a player may carry a fish to the bowl for up to 3 s. */
+    /* The round time is 10 s. After its end, a player may still carry a fish to the bowl for up to
+     * 3 s. */
     assert_true(result.length_s >= 10.0 && result.length_s < 13.1);
     assert_false(result.torn);
 }
 
-/* The bot does not move for three seconds before each scoop. A sensor with a constant pose would
- * count as stuck, but a bot must not. */
+/* The bot holds its poi still for three seconds before each scoop. A real sensor with a constant
+ * pose counts as stuck, but the pose of a bot must not. */
 static void test_a_bot_without_tremor_is_not_a_stuck_sensor(void **state)
 {
     (void)state;
@@ -105,8 +106,8 @@ static void test_a_bot_without_tremor_is_not_a_stuck_sensor(void **state)
     plan.grade = 4;
     plan.technique.tremor_m = 0.0f;
     plan.technique.reaction_min_s = plan.technique.reaction_max_s = 3.0f;
-    assert_true(alone(plan).length_s < 13.1); /* With input losses, the round would pause and last
-                                                 longer. */
+    assert_true(alone(plan).length_s < 13.1); /* If the input counted as lost, the round would pause
+                                                 and last longer. */
 }
 
 static struct technique slapping(void)
@@ -118,8 +119,8 @@ static struct technique slapping(void)
     return technique;
 }
 
-/* In the festival mode nobody is disqualified for slapping the water. The bot slaps until the paper
- * tears, which must end the round and be reported. */
+/* In festival mode, slapping the water with the poi is no foul. The bot slaps the water until its
+ * paper tears. The tear must end the round and be reported. */
 static void test_torn_paper_ends_a_festival_round_and_is_reported(void **state)
 {
     (void)state;
@@ -147,8 +148,8 @@ static void test_a_practice_round_has_statistics_but_no_record(void **state)
     assert_true(result.sheets > 0);
 }
 
-/* The bot slaps the water as in the festival round. In practice mode, each torn paper is replaced,
- * so several papers tear. */
+/* In practice mode each torn paper is replaced, so several papers tear. The bot slaps the water as
+ * in the test of the festival round. */
 static void
 test_a_practice_round_reports_its_first_tear_although_the_paper_is_replaced(void **state)
 {

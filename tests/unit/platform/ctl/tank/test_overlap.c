@@ -49,8 +49,8 @@ static void test_the_overlap_of_upright_boxes_is_the_smallest_face_depth(void **
     expect_depth(&a, &touching, 0.0);
 }
 
-/* Fish b is turned by a quarter, so its length is along x. The boxes touch at a distance of 2.5 +
- * 0.5 cm (half the length of b and half the width of a). */
+/* Fish b is turned by 90 degrees, so its length lies along x. Without an overlap, the centres are
+ * at least 2.5 + 0.5 cm apart: half the length of b and half the width of a. */
 static void test_the_extent_of_a_rotated_box_is_its_length(void **state)
 {
     const struct fish a = fish_at(0, 0, 0);
@@ -58,20 +58,20 @@ static void test_the_extent_of_a_rotated_box_is_its_length(void **state)
     (void)state;
     b.angles.yaw_rad = 0.5f * F_PI;
     expect_depth(&a, &b, 3.0);
-    /* With its nose up, fish b is 5 cm high, so the boxes overlap by 1.3 cm vertically. The
-     * smallest overlap is the width of 1 cm. */
+    /* Fish b points upwards and is 5 cm high, so the boxes overlap by 1.3 cm vertically. The result
+     * is the smaller overlap sideways: the full width of 1 cm. */
     b = fish_at(0, 2.2, 0);
     b.angles.pitch_rad = 0.5f * F_PI;
     expect_depth(&a, &b, 10.0);
-    /* Fish b lies on its side. The boxes touch at a distance of 1 + 0.5 cm (half the height of a
-     * and half the width of b). */
+    /* Fish b lies on its side. Without an overlap, the centres are at least 1 + 0.5 cm apart: half
+     * the height of a and half the width of b. */
     b = fish_at(0, 1.3, 0);
     b.angles.roll_rad = 0.5f * F_PI;
     expect_depth(&a, &b, 2.0);
 }
 
-/* Two boxes stand on their edges, and these edges cross. The boxes seem to overlap along every face
- * normal. Only the cross product of the two edges separates them. */
+/* Two boxes stand on edges that are at right angles to each other. Along the normals of all faces,
+ * the boxes seem to overlap. Only the cross product of the two edges separates them. */
 static void test_crossed_edges_are_separated_by_an_edge_edge_axis(void **state)
 {
     struct fish a = fish_at(0, 0, 0), b = fish_at(0, 0, 0);
@@ -80,7 +80,8 @@ static void test_crossed_edges_are_separated_by_an_edge_edge_axis(void **state)
     /* Each box stands on an edge and is 2 * sqrt(2) cm high. */
     a.angles.roll_rad = b.angles.roll_rad = 0.25f * F_PI;
     b.angles.yaw_rad = 0.5f * F_PI;
-    b.position_m.y = 0.0285f; /* The edges touch at a distance of 28.28 mm. */
+    b.position_m.y = 0.0285f; /* The edges touch at a distance of 28.28 mm, so these boxes are
+                                 separated. */
     expect_depth(&a, &b, 0.0);
     b.position_m.y = 0.0273f;
     assert_true(depth_mm(&a, &b) > 0.95 && depth_mm(&a, &b) < 1.0);
@@ -114,7 +115,7 @@ static void scatter(uint32_t seed, uint32_t count)
     for (uint32_t i = 0; i < count; i++) {
         struct fish *fish = &tank.fish[i];
         *fish = fish_at(0, 0, 0);
-        /* Places the fish at random. Some positions are outside the tank. */
+        /* Places the fish at random, in some cases outside the tank. */
         fish->position_m = v3(draw(seed, i, 1, -0.7f, 0.7f), draw(seed, i, 2, -0.2f, 0.0f),
                               draw(seed, i, 3, -0.34f, 0.34f));
         fish->angles.yaw_rad = draw(seed, i, 4, -3.1f, 3.1f);

@@ -161,7 +161,7 @@ static void test_placed_fish_have_the_given_positions(void **state)
     assert_true(fabsf(fish->angles.yaw_rad + 90.0f * F_DEG) < 1e-6f);
     assert_int_equal(fish->gait, GAIT_SWIM);
     assert_true(fabsf(fish->stamina - 0.8f) < 1e-6f);
-    /* At a yaw of -90 degrees, the fish swims towards +x. */
+    /* A yaw of -90 degrees points the fish towards +x. */
     assert_true(fabsf(fish->velocity_m_s.x - 0.0525f) < 1e-6f);
     assert_int_equal(tank.fish[1].gait, GAIT_REST);
 }
@@ -198,7 +198,7 @@ static void test_fish_are_placed_from_the_first_tick_of_a_trace(void **state)
     assert_true(fabsf(fish[0].velocity_m_s.x - 0.4f) < 1e-6f);
     assert_int_equal(fish[1].gait, GAIT_SURFACE);
     assert_int_equal(fish[1].air, AIR_GULPS);
-    assert_int_equal(fish[2].air, AIR_RISES); /* At a depth of 9 cm, the fish must rise to the
+    assert_int_equal(fish[2].air, AIR_RISES); /* The fish is 9 cm deep, so it must rise to the
                                                  surface before it can gulp air. */
     assert_int_equal(fish[2].gait, GAIT_SWIM);
 }
@@ -212,8 +212,8 @@ static void test_a_trace_of_one_tick_is_placed_without_a_message(void **state)
     assert_string_equal(said, "");
 }
 
-/* Thesis, section 3.6: a tired fish gulps air at the surface for 3 s, recovers completely, and
- * dives. */
+/* Section 3.6 of the thesis: a tired fish gulps air at the surface for 3 s, recovers completely,
+ * and then dives. */
 static void test_a_placed_gulping_fish_gulps_and_dives(void **state)
 {
     uint32_t tick = 0;

@@ -1,5 +1,5 @@
 /* test_tank_meetings.c -- Tests the count of encounters, in which fish avoid each other. Each
- * encounter is counted once, at its start. */
+ * encounter must be counted once, when it begins. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -46,7 +46,7 @@ static void test_one_encounter_is_counted_once_in_its_class(void **state)
         watch_stage(head_on, 2, seed);
         assert_int_equal(meetings.head_on, 1);
         assert_int_equal(meetings.side + meetings.rear_end, 0);
-        assert_int_equal(meetings.by_yaw, 2); /* Both fish avoid each other by yaw. */
+        assert_int_equal(meetings.by_yaw, 2); /* Each of the two fish avoids the other by yaw. */
         assert_int_equal(meetings.by_pitch, 0);
         watch_stage(side, 2, seed);
         assert_int_equal(meetings.side, 1);
@@ -54,8 +54,8 @@ static void test_one_encounter_is_counted_once_in_its_class(void **state)
         watch_stage(rear_end, 2, seed);
         assert_int_equal(meetings.rear_end, 1);
         assert_int_equal(meetings.head_on + meetings.side, 0);
-        assert_in_range(meetings.by_yaw, 1, 2); /* Only the fish behind avoids the other one, once
-                                                   or twice. */
+        assert_in_range(meetings.by_yaw, 1, 2); /* Only the rear fish avoids the other one, once or
+                                                   twice. */
     }
 }
 
@@ -81,8 +81,8 @@ static void test_a_pair_is_counted_again_only_after_it_separated(void **state)
     const struct tank_stage near[] = { swimmer(0.0f, 3.0f, 0.0f), swimmer(0.0f, -3.0f, 180.0f) };
     struct tank *tank = thesis_stage(near, 2, 1);
     meetings = (struct tank_meetings){ 0 };
-    for (uint32_t turn = 0; turn < 3; turn++) { /* The fish avoid each other in turns without
-                                                   separating, which is one encounter. */
+    for (uint32_t turn = 0; turn < 3; turn++) { /* Three turns without a separation are one
+                                                   encounter. */
         give_way(&tank->fish[turn % 2u], (fish_index)(1u - turn % 2u));
         tank_meetings_update(&meetings, tank, 1);
         tank->fish[turn % 2u].avoiding = AVOID_NONE;
@@ -91,8 +91,8 @@ static void test_a_pair_is_counted_again_only_after_it_separated(void **state)
     assert_int_equal(meetings.head_on, 1);
     assert_int_equal(meetings.by_yaw, 3);
     const vec3 here = tank->fish[0].position_m;
-    /* The centres are now 8 cm apart. Two fish closer than 7 cm still belong to the same encounter,
-     * so these fish are separated. */
+    /* The centres are moved to a distance of 8 cm. Fish count as separated from 7 cm on, so the
+     * encounter ends after half a second. */
     tank->fish[0].position_m.z += 0.02f;
     for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u - TANK_MEETINGS_LOOK_TICKS; tick++) {
         assert_int_equal(meetings.open_count, 1);
@@ -108,8 +108,8 @@ static void test_a_pair_is_counted_again_only_after_it_separated(void **state)
     assert_int_equal(meetings.head_on, 2);
 }
 
-/* The update is called every 24 ticks instead of every tick. The encounter must still end after
- * half a second of separation. */
+/* The update is called only every 24 ticks. The encounter must still end after half a second (60
+ * ticks) of separation. */
 static void test_a_pair_observed_at_intervals_separates_after_the_timeout(void **state)
 {
     (void)state;
@@ -123,8 +123,8 @@ static void test_a_pair_observed_at_intervals_separates_after_the_timeout(void *
     tank->fish[0].position_m.z += 0.02f;
     tank_meetings_update(&meetings, tank, 24);
     tank_meetings_update(&meetings, tank, 24);
-    assert_int_equal(meetings.open_count, 1); /* The fish have been separated for 48 ticks. An
-                                                 encounter ends after 60 ticks. */
+    assert_int_equal(meetings.open_count, 1); /* The fish have been separated for 48 of the 60 ticks
+                                                 after which an encounter ends. */
     tank_meetings_update(&meetings, tank, 24);
     assert_int_equal(meetings.open_count, 0);
 }

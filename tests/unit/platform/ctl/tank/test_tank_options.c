@@ -15,7 +15,7 @@
 
 static struct tank_options plan;
 
-/* Parses a line of options that are separated by blanks. Discards the messages on standard
+/* Parses the options in `line`, which are separated by blanks. Discards all messages on standard
  * error. */
 static enum exit_code read_plan(const char *line)
 {
