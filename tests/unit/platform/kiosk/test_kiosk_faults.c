@@ -352,7 +352,7 @@ static struct recorder recorder;
 static struct replayer replayer;
 static char path[] = "/tmp/kingyo-faults-XXXXXX";
 
-/* Plays a round in which faults of every kind occur, one after the other. */
+/* Plays a round in which every kind of fault occurs, one after the other. */
 static uint64_t play_them_all(void)
 {
     start_round();

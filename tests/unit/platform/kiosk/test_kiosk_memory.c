@@ -36,7 +36,7 @@
 static uint32_t allocations;
 
 #if HAS_TRAP
-/* Internal names of glibc's allocation functions. The replacements below call these functions. */
+/* glibc's own names of the allocation functions. The replacements below call these functions. */
 void *__libc_malloc(size_t size);
 void *__libc_calloc(size_t count, size_t size);
 void *__libc_realloc(void *old, size_t size);
@@ -108,8 +108,8 @@ static void open_rig(const char *record_path)
     assert_int_equal(recorder_begin(&rig.recorder, record_path, &rig.kiosk.core), 0);
 }
 
-/* The test runs attract mode, a whole round with dips, a recording, an unplugged and reconnected
- * poi, and the result. */
+/* The test runs attract mode, a whole round with dips and a recording, and the result. The poi is
+ * unplugged and plugged in again. */
 static void test_the_running_frame_loop_allocates_nothing(void **state)
 {
     char path[] = "/tmp/kingyo-memory-XXXXXX";
@@ -132,8 +132,9 @@ static void test_the_running_frame_loop_allocates_nothing(void **state)
     assert_int_equal(recorder_end(&rig.recorder), 0);
     unlink(path);
     assert_int_equal(rig.kiosk.core.game.tick, 2400);
-    assert_int_equal(rig.storage.record.id, 2); /* The store has the record of one ended round and
-                                                   the entry of a second round that began. */
+    assert_int_equal(rig.storage.record.id, 2); /* The store has accepted the record of the first
+                                                   round and the entry with which the second round
+                                                   begins. */
     assert_int_equal(rig.storage.entry.kind, LEDGER_BEGIN);
     assert_int_equal(during, 0);
 }

@@ -1,7 +1,7 @@
 /* test_kiosk_seats.c -- Tests the assignment of controllers to player slots in the frame loop.
  *
- * The tests check when the assignment may change, and how a newly assigned controller is opened.
- * Other tests check the measured time from the arrival of a report to its tick. */
+ * The assignment may change only at certain times, and a newly assigned controller must be opened
+ * and used. Also tests the measured time from the arrival of a report to the tick that uses it. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,8 +23,9 @@ static struct {
     struct buttons_sim buttons;
     struct hal hal;
     struct kiosk kiosk;
-    uint32_t asked_moving, asked_still; /* Calls of arrange() with `may_move` true (asked_moving)
-                                           and false (asked_still). */
+    uint32_t asked_moving, asked_still; /* Number of calls of arrange() with `may_move` true
+                                           (asked_moving) and with `may_move` false
+                                           (asked_still). */
     /* Result of the next call of arrange(): bit 0 is set if the controller of slot 0 changed. */
     uint32_t moves;
     uint8_t other_sits;
@@ -33,7 +34,7 @@ static struct {
     bool scoops;      /* Value of the parameter `scoops` in the last call of set_view(). */
     uint64_t late_ns; /* Age of a report when the kiosk polls the controller, in ns. */
     uint8_t stamps;
-    uint32_t told; /* Number of reports that each poll returns. */
+    uint32_t told; /* Number of reports that each poll of the controller returns. */
 } rig;
 
 static uint32_t arrange(void *self, bool may_move)
@@ -139,8 +140,8 @@ static void test_controllers_are_reassigned_only_while_no_player_is_active(void 
 {
     (void)state;
     frames(10);
-    assert_int_equal(rig.asked_moving, 11); /* One call before the first frame, and one in each of
-                                               10 frames. */
+    assert_int_equal(rig.asked_moving, 11); /* arrange() is called once before the first frame, and
+                                               once in each of 10 frames. */
     assert_int_equal(rig.asked_still, 0);
     begin_round();
     const uint32_t before = rig.asked_moving;
@@ -171,7 +172,7 @@ static void test_controllers_are_reassigned_in_the_operator_menu(void **state)
     assert_int_equal(rig.asked_moving, before + 1);
 }
 
-/* The replacement of a slot's controller is not an input loss, so no fault is counted. */
+/* A slot that gets another controller has no input loss, so no fault must be counted. */
 static void test_a_new_controller_is_opened_and_used_in_the_same_frame(void **state)
 {
     (void)state;
@@ -183,7 +184,7 @@ static void test_a_new_controller_is_opened_and_used_in_the_same_frame(void **st
     rig.moves = 1u;
     frames(1);
     assert_int_equal(rig.open_count, opened + 1);
-    /* One additional call of set_view() passes the view to the new controller. */
+    /* set_view() is called once more than usual, to pass the view to the new controller. */
     assert_int_equal(rig.view_count, viewed + per_frame + 1);
     assert_int_equal(rig.kiosk.samplers[0].link, POI_SOURCE_LIVE);
     assert_true(rig.kiosk.input.poi[0].target.position_m.x == 0.2f);
@@ -199,16 +200,16 @@ static void test_an_empty_player_slot_plays_after_a_controller_is_assigned(void 
     assert_int_equal(rig.kiosk.samplers[0].link, POI_SOURCE_ABSENT);
     const uint32_t opened = rig.open_count;
     frames(200);
-    assert_int_equal(rig.open_count, opened); /* The kiosk does not try to open the poi of an empty
-                                                 slot. */
+    assert_int_equal(rig.open_count, opened); /* The slot is empty, so the kiosk does not try to
+                                                 open a poi. */
     rig.is_absent = 0;
     rig.moves = 1u;
     frames(1);
     assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
 }
 
-/* arrange() reports the reconnected controller. Without this report, the kiosk would not try to
- * open the controller again until one second after the controller was lost. */
+/* The kiosk tries to reopen a lost controller only once a second. The reconnected controller must
+ * be opened earlier, because arrange() reports it. */
 static void test_a_reconnected_controller_is_used_in_the_frame_that_detects_it(void **state)
 {
     (void)state;
@@ -236,7 +237,8 @@ static void test_the_latency_of_a_report_is_measured_from_arrival_to_tick(void *
     assert_true(frame_timing_quantile_ns(wait, 0.99) <= 5100000u);
 }
 
-/* A frame of 1 ms is too short for a tick, so its report is kept for the tick of the next frame. */
+/* A frame of 1 ms is too short for a tick, so a report of this frame must be used by the tick of
+ * the next frame. */
 static void test_a_report_between_two_ticks_is_used_by_the_next_tick(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_kiosk_store.c -- Tests that the frame loop stores each round exactly once. The game must
- * continue during faults of the store and of the sound card. */
+/* test_kiosk_store.c -- Tests that the frame loop stores each round exactly once. Also tests that a
+ * fault of the store or of the sound card does not stop the game. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -58,8 +58,9 @@ static void test_a_failing_store_is_retried_each_second(void **state)
     frames(30);
     assert_int_equal(rig.storage.refused_count, 1);
     frames(120);
-    assert_int_equal(rig.storage.accepted_count, 1); /* The accepted entry records the start of the
-                                                        round. */
+    assert_int_equal(rig.storage.accepted_count, 1); /* The first entry, which records the start of
+                                                        the round, was accepted after the
+                                                        retries. */
     assert_int_equal(rig.kiosk.faults.storage, 2);
 }
 
@@ -98,7 +99,7 @@ static void test_a_round_that_the_store_never_accepted_is_counted_as_lost(void *
     assert_int_equal(kiosk_close_store(&rig.kiosk, &rig.hal), ENTRIES);
 }
 
-/* Adds a restart command to the output of the core, as the menu page does. */
+/* Adds a restart command to the output of the core, as the operator's menu does. */
 static void request_restart(void)
 {
     struct output *output = &rig.kiosk.output;
@@ -112,8 +113,8 @@ static void test_a_restart_waits_for_the_store_up_to_its_timeout(void **state)
     rig.storage.busy_left = 100000;
     play_a_round();
     request_restart();
-    frames(5u * 60u - 2u); /* The restart waits up to five seconds for the store, which is still
-                              busy two frames before the timeout. */
+    frames(5u * 60u - 2u); /* Two frames before the timeout of five seconds, the store is still
+                              busy, and the restart still waits for it. */
     assert_true(rig.kiosk.saving.accepted_id < rig.kiosk.output.entry_id);
     enum kiosk_end end = KIOSK_RUNS;
     for (uint32_t i = 0; i < 6 && end == KIOSK_RUNS; i++) {
@@ -165,8 +166,8 @@ static void test_a_removed_sound_card_is_one_fault_and_is_retried_each_second(vo
     rig.audio.gone = 1;
     play_a_round();
     assert_int_equal(rig.kiosk.faults.audio, 1);
-    /* The kiosk tries to open the sound card once a second. The round lasts ten seconds, with a few
-     * seconds before and after it. */
+    /* The kiosk tries to open the sound card once a second. The test takes a little longer than the
+     * round of ten seconds. */
     assert_in_range(rig.audio.open_count, 8, 20);
     rig.audio.gone = 0;
     frames(70);

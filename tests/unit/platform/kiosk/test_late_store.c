@@ -1,8 +1,8 @@
 /* test_late_store.c -- Tests a kiosk that starts without its store while players insert coins.
  *
- * The store is a database on a memory card. When the card is available again, each coin is stored
- * exactly once without operator action. The kiosk and the store are real. The devices and the time
- * are simulated. */
+ * The store is a database on a memory card, which is removed before the start. When the card is
+ * available again, each coin must be stored exactly once, without an action of the operator. The
+ * kiosk and the store are real. The devices and the time are simulated. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -99,7 +99,7 @@ static int pulse_switch(void *self, enum hal_switch which, uint32_t count)
     return HAL_OK;
 }
 
-/* Simulates a dispenser that has given all its tickets. */
+/* Reports that all tickets have been dispensed. */
 static uint32_t pending(void *self, enum hal_switch which)
 {
     (void)self;
@@ -107,8 +107,7 @@ static uint32_t pending(void *self, enum hal_switch which)
     return 0;
 }
 
-/* Starts the kiosk with the state that the store contains. All other state of an earlier start is
- * cleared. */
+/* Starts the kiosk with the state that the store contains, as after a reboot. */
 static void begin(void)
 {
     static const struct hal_buttons_ops buttons = { poll_buttons, describe };
@@ -170,8 +169,8 @@ static const struct balance *balance(void)
     return &rig.kiosk.core.game.accounts.ledger.balance;
 }
 
-/* Inserts one coin, which is half a credit, and ends the kiosk. Then replaces the data folder by an
- * empty folder, as if the card was removed. */
+/* Inserts one coin, which is half a credit, and ends the kiosk. Replaces the data folder by an
+ * empty folder, as if the memory card was removed. */
 static int set_up(void **state)
 {
     (void)state;
@@ -225,9 +224,10 @@ static void test_a_coin_inserted_without_a_store_is_recorded_later_and_the_slot_
     assert_int_equal(frames(60), KIOSK_RUNS);
     assert_int_equal(audit(AUDIT_COINS_1), 2);
     assert_int_equal(audit(AUDIT_UNITS), 2);
-    assert_int_equal(audit(AUDIT_BOOTS), 2); /* Only starts with a store are counted. */
-    /* The coin from before the removal and the coin from the time without a store make one
-     * credit. */
+    assert_int_equal(audit(AUDIT_BOOTS), 2); /* The kiosk was started three times, and only the two
+                                                starts with a store are counted. */
+    /* The coin from before the removal of the card and the coin from the time without the card are
+     * together one credit. */
     assert_int_equal(balance()->paid, 1);
     assert_int_equal(ledger_committed_credits(&rig.kiosk.core.game.accounts.ledger).paid, 1);
     assert_int_equal(rig.locked, 0);
@@ -261,8 +261,8 @@ static void test_offline_credits_and_entries_are_merged_exactly_once(void **stat
     }
 }
 
-/* The card is back, but another connection locks the database. The kiosk must keep the coins until
- * the database is writable. */
+/* The card is back, but another program locks the database. The kiosk must keep the coins until it
+ * can write them. */
 static void test_offline_credits_are_kept_until_the_card_is_writable(void **state)
 {
     (void)state;
@@ -275,12 +275,12 @@ static void test_offline_credits_are_kept_until_the_card_is_writable(void **stat
     assert_int_equal(frames(3), KIOSK_RUNS);
     assert_int_equal(rig.hal.storage.ledger.ops->offline_merged(rig.hal.storage.ledger.self),
                      HAL_ERR_BUSY);
-    drop_coins(0, 1); /* A second coin is inserted while the first coin cannot be written yet. */
+    drop_coins(0, 1); /* The second coin is inserted while the first one cannot be written yet. */
     assert_int_equal(sqlite3_exec(other, "ROLLBACK", NULL, NULL, NULL), SQLITE_OK);
     sqlite3_close(other);
     enum kiosk_end how = KIOSK_RUNS;
     for (uint32_t i = 0; i < 300u && how == KIOSK_RUNS; i++) {
-        rig.storage.look_due_ms = 0; /* Skips the delay before the next retry of the store. */
+        rig.storage.look_due_ms = 0; /* Makes the next retry of the store due at once. */
         how = frames(1);
     }
     assert_int_equal(how, KIOSK_RESTART);
@@ -288,7 +288,7 @@ static void test_offline_credits_are_kept_until_the_card_is_writable(void **stat
     begin();
     frames(60);
     assert_int_equal(audit(AUDIT_COINS_1), 3);
-    /* One coin was inserted in set_up() and two coins above. */
+    /* set_up() inserted one coin, and this test inserted two. */
     assert_int_equal(PRICE * balance()->paid + balance()->units, 3);
 }
 

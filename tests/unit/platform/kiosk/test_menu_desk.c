@@ -1,5 +1,5 @@
-/* test_menu_desk.c -- Tests the operator menu with two buttons, and a controller whose axis mapping
- * is learned in the menu.
+/* test_menu_desk.c -- Tests the operator's menu, which has two buttons. In the menu, the operator
+ * also teaches the kiosk the axes of a controller.
  *
  * The tests send button presses and raw HID reports, and check the scene and the pose of the ring.
  * The decoder, the mapping store and the frame loop are real. */
@@ -41,8 +41,8 @@ static struct rig {
     struct button_sample buttons; /* Button sample of the next frame. */
     float x, z;                   /* Stick position, each axis in [0, 1]. */
     uint8_t trigger;
-    uint32_t lockout, input_coin_pulses, ticket_pulses, lamp; /* Last outputs of the kiosk to the
-                                                                 cabinet. */
+    uint32_t lockout, input_coin_pulses, ticket_pulses, lamp; /* Levels and pulse counts that the
+                                                                 kiosk last sent to the cabinet. */
 } rig;
 
 /* ---- Simulated cabinet with buttons and switches -------------------------------------------- */
@@ -134,8 +134,8 @@ static int set_up(void **state)
     rig.clock.now_ns = FRAME_NS;
     wire_load(&rig.wire, &rig.clock, "025-ci-xusb-flightstick");
     snprintf(rig.wire.face.identity.name, HID_TEXT_SIZE, "Flight Stick");
-    hid_port_sim_plug(&rig.wire.port, NULL); /* Player slot 0 is empty. The next lines plug in the
-                                                controller without a slot. */
+    hid_port_sim_plug(&rig.wire.port, NULL); /* Takes the controller out of player slot 0. The next
+                                                lines connect it without a slot. */
     hid_device_list_sim_init(&rig.device_list, seats);
     hid_device_list_sim_plug(&rig.device_list, ROW, &rig.wire.face);
     hid_mapping_store_open(&rig.book, NULL, NULL, NULL);
@@ -188,8 +188,9 @@ static void test_the_quit_key_goes_back_in_the_menu_and_otherwise_ends_the_progr
         push(0);
         assert_int_equal(shown()->page, pages[i]);
     }
-    assert_int_equal(shown()->pressed_count[1], 0); /* The quit key was not counted as a press of
-                                                       LEFT. */
+    assert_int_equal(shown()->pressed_count[1], 0); /* The menu page counts presses of LEFT (index
+                                                       1). The quit key must not be counted
+                                                       there. */
     rig.buttons.quit = 1;
     push(0);
     assert_int_equal(rig.display.scene.phase, PHASE_ATTRACT);
@@ -208,10 +209,11 @@ static void test_a_confirmed_restart_ends_the_loop_and_is_not_a_controller_comma
     push(INPUT_TEST);
     point_at(menu_tag_of(MENU_RESTART));
     push(INPUT_TEST);
-    push(INPUT_SERVICE); /* SERVICE moves the selection from "back" to "yes". */
+    push(INPUT_SERVICE); /* SERVICE moves the selection from the answer "back" to the answer
+                            "yes". */
     assert_int_equal(shown()->tag, CONFIRM_YES);
     rig.buttons.pressed = INPUT_TEST;
-    /* 400 frames are more than 6 s. The restart waits for the store for at most 5 s. */
+    /* 400 frames are more than 6 s, and the restart waits for the store for at most 5 s. */
     for (uint32_t i = 0; i < 400u && end == KIOSK_RUNS; i++) {
         rig.clock.now_ns += FRAME_NS;
         end = kiosk_frame(&rig.kiosk, &rig.hal);
@@ -220,9 +222,9 @@ static void test_a_confirmed_restart_ends_the_loop_and_is_not_a_controller_comma
     assert_int_equal(rig.device_list.choose_count + rig.device_list.release_count, 0);
 }
 
-/* A store that opens after the start of the kiosk gets the credits that were paid before. Then the
- * session restarts. Both steps must wait until no player and no menu is active. The simulated store
- * needs 30 polls. */
+/* The store opens only after the kiosk has started. The store then gets the credits that were paid
+ * before, and the session restarts. Both must wait until no player and no menu is active. The
+ * simulated store needs 30 polls to accept the credits. */
 static void test_a_store_that_opens_late_restarts_the_session_when_idle(void **state)
 {
     (void)state;
@@ -272,8 +274,8 @@ static void test_a_selected_controller_plays_and_a_released_one_does_not(void **
     point_at(ROW_CHOOSE);
     push(INPUT_TEST);
     assert_int_equal(rig.device_list.choose_count, 1);
-    frames(90); /* The kiosk tries to open an empty player slot once a second, so 90 frames are
-                   enough. */
+    frames(90); /* The kiosk tries to open an empty slot once a second, so the controller is open
+                   after 90 frames. */
     assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_ACTIVE);
     assert_int_equal(rig.kiosk.samplers[0].link, POI_SOURCE_LIVE);
     point_at(ROW_RELEASE);
@@ -281,8 +283,8 @@ static void test_a_selected_controller_plays_and_a_released_one_does_not(void **
     assert_int_equal(rig.device_list.release_count, 1);
     frames(90);
     assert_int_equal(rig.device_list.choose_count, 1);
-    assert_int_equal(rig.device_list.release_count, 1); /* Neither command is repeated in later
-                                                           frames. */
+    assert_int_equal(rig.device_list.release_count, 1); /* Each of the commands must be sent only
+                                                           once. */
 }
 
 /* ---- Tests of learning the mapping of a stick ----------------------------------------------- */
@@ -298,7 +300,7 @@ static void show_step(uint8_t step, float x, float z, uint8_t trigger)
     push(INPUT_TEST);
 }
 
-/* Learns a mapping with a reversed x axis, as for a stick that is mounted backwards. */
+/* Teaches the kiosk a stick that is mounted backwards, so that the learned x axis is reversed. */
 static void learn_backwards(void)
 {
     open_the_row();
@@ -334,8 +336,9 @@ static void test_a_learned_stick_mapping_is_used_for_play(void **state)
 {
     (void)state;
     learn_backwards();
-    assert_true(way_right_m() < -0.02f); /* The operator can try the learned mapping before saving
-                                            it, so the reversed axis already applies. */
+    assert_true(way_right_m() < -0.02f); /* The operator can try the learned mapping before it is
+                                            saved, so a stick that is moved right already moves the
+                                            ring left. */
     point_at(LEARNS_KEEP);
     push(INPUT_TEST);
     frames(5);
@@ -354,7 +357,7 @@ static void test_an_unsaved_mapping_is_discarded(void **state)
     frames(5);
     assert_int_equal(shown()->page, MENU_CONTROLLER);
     assert_null(hid_mapping_store_find(&rig.book, &rig.wire.face.identity));
-    /* Learning has not assigned the controller to a slot. */
+    /* A learned controller has no slot until the operator selects it. */
     assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_FREE);
     point_at(ROW_CHOOSE);
     push(INPUT_TEST);
@@ -409,7 +412,8 @@ static void test_the_coin_slot_opens_for_test_or_play_and_the_meter_counts_all_c
     push(INPUT_TEST);
     point_at(menu_tag_of(MENU_LINES));
     push(INPUT_TEST);
-    assert_int_equal(rig.lockout, 0); /* On this page the operator tests the coin slot. */
+    assert_int_equal(rig.lockout, 0); /* On this page the operator tests the coin slot, so the slot
+                                         is open. */
     drop(7);
     assert_int_equal(shown()->test_coins, 7);
     assert_int_equal(rig.input_coin_pulses, 7);
@@ -422,7 +426,8 @@ static void test_the_coin_slot_opens_for_test_or_play_and_the_meter_counts_all_c
     point_at(ROW_CHOOSE);
     push(INPUT_TEST);
     frames(90);
-    drop(1); /* A coin that was falling when the slot closed counts as a test coin. */
+    drop(1); /* The slot has just been locked. A coin that was already falling still counts as a
+                test coin. */
     for (uint32_t i = 0; i < 4; i++) {
         go_back();
     }

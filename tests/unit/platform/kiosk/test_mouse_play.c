@@ -2,7 +2,8 @@
  * real frame loop.
  *
  * Careful movements must scoop fish, and rough movements must tear the paper, at any frame rate.
- * The mouse reports 60 times a second. The simulated player reacts to the last picture. */
+ * The simulated mouse sends 60 reports a second. The simulated player sees only the last drawn
+ * picture. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,7 +19,7 @@
 #include "drivers/sim/pointer_sim.h"
 #include "platform/kiosk/kiosk.h"
 
-/* Interval between two mouse reports: 1/60 s. This file calls the interval a moment. */
+/* Interval between two mouse reports, 1/60 s. This file calls such an interval a moment. */
 #define MOMENT_NS 16666667ull
 #define MOMENTS_MAX 60u /* Largest number of moments in a frame. A moment is 1/60 s. */
 #define WIDTH 1280u
@@ -45,7 +46,7 @@ static void frame(void)
     kiosk_frame(&player.kiosk, &player.hal);
     player.report_count = player.moment_count = 0;
     assert_false(
-        /* No mouse movement may count as a lost controller. */
+        /* The movements of this player must never count as a lost controller. */
         controller_is_lost(&player.kiosk.core.world, 0));
 }
 
@@ -108,8 +109,8 @@ static void to_screen(vec3 point, float *x_px, float *y_px)
     *y_px = 0.5f * (1.0f - body.y / -body.z / tan_y) * (float)HEIGHT;
 }
 
-/* Moves the pointer by one step towards a screen point. Returns 1 if the pointer is already
- * there. */
+/* Moves the pointer by one step towards a point on the screen. Returns 1 if the pointer has reached
+ * the point. */
 static int step_to(float x_px, float y_px, float px_per_moment)
 {
     const float dx = x_px - player.x_px;
@@ -161,9 +162,9 @@ static const struct fish *choose(void)
     return best;
 }
 
-/* Tries to scoop one fish. Dips the ring beside the fish, moves the ring below the fish, lifts the
- * fish and carries it over the bowl. The ring rises along the line of sight, so the pointer must be
- * on the fish. */
+/* Makes one attempt to scoop a fish. Dips the ring beside the fish, moves the ring below the fish,
+ * lifts the fish and carries it over the bowl. The ring rises along the line of sight, so the
+ * pointer must be on the fish. */
 static void try_once(void)
 {
     const struct fish *fish = choose();
@@ -182,7 +183,7 @@ static void try_once(void)
         step_to(x_px, y_px, 2.6f);
     }
     player.buttons = 0;
-    moments(28 + player.moments); /* Waits, as a player does who checks the paper. */
+    moments(28 + player.moments); /* The player pauses to check the paper. */
     if (player.kiosk.core.world.poi[0].carried_count > 0) {
         const vec3 bowl = player.kiosk.core.world.bowl[0].position_m;
         move_to(v3(bowl.x, DIP_HOVER_M, bowl.z), 6.0f);
@@ -191,8 +192,8 @@ static void try_once(void)
 }
 
 /* Plays `rounds` rounds with `picture_moments` moments per frame. Returns the number of fish that
- * reach the bowl. The sum of four rounds varies by half of its mean from one set of seeds to
- * another, so the tests play more rounds. */
+ * reach the bowl. Four rounds are too few, because their sum varies by half of its mean with the
+ * seeds. */
 static uint32_t landed_in(uint32_t rounds, uint32_t picture_moments)
 {
     uint32_t landed = 0;
@@ -212,20 +213,21 @@ static uint32_t landed_in(uint32_t rounds, uint32_t picture_moments)
 static void test_a_careful_mouse_player_lands_fish(void **state)
 {
     (void)state;
-    /* The measured value is 51 fish. The limit of 36 leaves room for small changes of the game. */
+    /* 51 fish were measured. The limit is lower, so that small changes of the game do not fail the
+     * test. */
     assert_true(landed_in(12, 1) >= 36);
 }
 
 static void test_a_careful_mouse_player_lands_fish_at_20_fps(void **state)
 {
     (void)state;
-    assert_true(landed_in(8, 3) >= 24); /* Measured: 35 fish. */
+    assert_true(landed_in(8, 3) >= 24); /* 35 fish were measured. */
 }
 
 static void test_a_careful_mouse_player_lands_fish_at_10_fps(void **state)
 {
     (void)state;
-    assert_true(landed_in(8, 6) >= 24); /* Measured: 44 fish. */
+    assert_true(landed_in(8, 6) >= 24); /* 44 fish were measured. */
 }
 
 static void glide(float px_per_moment, uint32_t count)
@@ -236,13 +238,13 @@ static void glide(float px_per_moment, uint32_t count)
     }
 }
 
-/* Dips the ring, moves the pointer 79 pixels (about 6 cm) right and back under water, and lifts the
- * ring. Does this twice, with `picture_moments` moments per frame. */
+/* Dips the ring, moves the pointer 79 pixels (about 6 cm) to the right and back under water, and
+ * lifts the ring. Does all this twice, with `picture_moments` moments per frame. */
 static void dip_twice(uint32_t seed, uint32_t picture_moments)
 {
     begin_round(seed, 1);
     player.moments = picture_moments;
-    moments(17); /* With slow frames, the button changes in the middle of a frame. */
+    moments(17); /* In a slow frame, the button is pressed in the middle of the frame. */
     for (uint32_t i = 0; i < 2; i++) {
         player.buttons = POINTER_DIP;
         glide(1.3f, 61);
@@ -253,8 +255,8 @@ static void dip_twice(uint32_t seed, uint32_t picture_moments)
     }
 }
 
-/* At any frame time, the poi takes about half a second to move down or up. A display that stops for
- * up to one second must therefore not tear the paper. */
+/* A display that stops for up to one second must not tear the paper. At any frame time, the poi
+ * must take about half a second to move down or up. */
 static void test_a_stopped_display_tears_no_paper(void **state)
 {
     static const uint32_t picture_moments[] = { 1, 6, 15, 30, 33, 40, 60 };
@@ -282,14 +284,14 @@ static void test_four_careful_dips_do_not_tear_the_paper(void **state)
     }
 }
 
-/* Changes the dip button 60 times, with `stroke_moments` moments between the changes, while the
- * pointer moves `step_px` per moment. Returns the smallest share of paper that was left. */
+/* Presses or releases the dip button 60 times, every `stroke_moments` moments, while the pointer
+ * moves by `step_px` per moment. Returns the smallest share of paper that was left. */
 static float paper_after_dips(float step_px, uint32_t stroke_moments)
 {
     begin_round(1, 1);
     player.x_px = 400.0f;
     moments(30);
-    /* The smallest value is kept, because a player with torn paper gets a new poi later. */
+    /* The smallest share is returned, because a player whose paper is torn later gets a new poi. */
     float least = 1.0f;
     for (uint32_t i = 0; i < 60; i++) {
         player.buttons ^= POINTER_DIP;

@@ -1,10 +1,10 @@
 /* test_own_memory.c -- Tests that Kingyo's own code allocates no memory in any frame. The display,
  * the sound and the store are real.
  *
- * The linker option --wrap redirects malloc() and similar functions of Kingyo's objects to the
- * __wrap_ functions below, which count the calls. SDL and SQLite are separate libraries, so their
- * allocations are not counted. Only the screenshots of --shots may allocate, because no kiosk in
- * service uses that option. */
+ * The linker option --wrap redirects the calls of malloc() and similar functions in Kingyo's
+ * objects to the __wrap_ functions below, which count them. The allocations of SDL and SQLite are
+ * not counted, because both are separate libraries. Only the screenshots of the option --shots may
+ * allocate, because no kiosk in service uses this option. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -30,7 +30,7 @@
 #include "platform/store/storage.h"
 #include "tests/unit/support/newest_record.h"
 
-/* Duration of a frame: 1/30 s, as on a slow machine, so that the test draws fewer frames. */
+/* Duration of a frame, 1/30 s. At this low frame rate the test has to draw fewer frames. */
 #define STEP_NS 33333333ull
 #define REPORT_COUNT 800u
 
@@ -91,7 +91,7 @@ static struct {
     struct recorder recorder;
 } rig;
 
-/* Prepares pointer reports, one every 20 ms. The pointer moves 200 pixels to the right, jumps back
+/* Prepares a pointer report for every 20 ms. The pointer moves 200 pixels to the right, jumps back
  * and starts again. The poi dips for one second in every two seconds. */
 static void wire_hand(void)
 {
@@ -195,8 +195,8 @@ static void test_kingyo_code_allocates_nothing_from_the_first_frame_to_the_saved
     assert_int_equal(during, 0);
 }
 
-/* The growth lab shows every species in turn, with its ordinary (linear) morph beside it. GPU
- * memory has fewer slots than there are species, so each species must be uploaded again. Then an
+/* The growth lab shows every species in turn, beside its ordinary (linear) morph. The GPU has fewer
+ * texture slots than there are species, so textures must be uploaded again and again. Finally an
  * album of caught fish is shown. */
 static void test_kingyo_code_allocates_nothing_while_the_lab_and_album_change_species(void **state)
 {
@@ -229,8 +229,8 @@ static void test_kingyo_code_allocates_nothing_while_the_lab_and_album_change_sp
     assert_int_equal(allocations - before, 0);
 }
 
-/* png_write(), which writes screenshots, allocates memory. The test proves that the counter counts
- * the allocations of Kingyo's objects. */
+/* png_write(), which writes screenshots, allocates memory. The counter must count these
+ * allocations, which proves that the other tests can fail. */
 static void test_the_allocation_counter_counts_a_written_screenshot(void **state)
 {
     static const uint8_t rgb[3 * 4 * 4];

@@ -1,5 +1,5 @@
-/* test_panic_recovery.c -- Tests the recovery after panics. The next start omits stored settings,
- * and the omission is recorded only after the start has succeeded. */
+/* test_panic_recovery.c -- Tests the recovery after several panics. The next start omits stored
+ * settings. The omission is recorded only after this start has succeeded. */
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -29,7 +29,8 @@ static char dir[32];
 static char path[64];
 static int folder;
 static int flock_error;      /* errno that each call of flock() sets, or 0 if flock() succeeds. */
-static struct panics during; /* Panic count on disk at the time of the last database copy. */
+static struct panics during; /* Number of panics in the file at the time of the last database
+                                copy. */
 static int copies;           /* Number of copies of the database. Each copy calls chmod() once. */
 static struct evidence evidence;
 
@@ -42,7 +43,8 @@ int flock(int handle, int operation)
     return (int)syscall(SYS_flock, handle, operation);
 }
 
-/* Semaphore that replaces the wait of ten minutes. A test posts the semaphore to end the wait. */
+/* Semaphore on which each thread waits instead of ten minutes of real time. sem_post() ends the
+ * wait. */
 static sem_t ten_minutes;
 
 int clock_nanosleep(clockid_t clock, int flags, const struct timespec *wait, struct timespec *left)
@@ -82,7 +84,7 @@ static int has_volume(void)
     return has;
 }
 
-/* Writes the count of one panic that occurred before the first frame. */
+/* Writes the panic file as after one panic before the first frame. */
 static void panic_early(void)
 {
     struct panics panics = { 0 };
@@ -178,8 +180,8 @@ static void test_a_failed_attempt_changes_nothing_and_is_retried_at_the_next_sta
     assert_left_out();
 }
 
-/* Ends the wait of ten minutes in each thread that these tests have started, and waits until the
- * panic count is 0. */
+/* Ends the wait of ten minutes in each thread that a test has started. Then waits until the panic
+ * count is 0. */
 static void end_ten_minutes(void)
 {
     for (int i = 0; i < 8; i++) {
@@ -280,7 +282,7 @@ static void test_a_panic_inside_an_attempt_makes_the_next_start_skip_it(void **s
     assert_false(panics_is_due(&panics));
 }
 
-/* During the first call, `is_busy` is set, as if another thread were in the middle of a tick.
+/* In the first call, `is_busy` is set, as if another thread were in the middle of a tick.
  * panic_evidence_write() must then return false, because that thread may still change the core. */
 static void test_a_panic_of_another_thread_reports_an_unfinished_tick(void **state)
 {

@@ -1,5 +1,5 @@
-/* test_panic_thread.c -- Tests that a stack overflow in any thread leaves the evidence of a
- * panic. */
+/* test_panic_thread.c -- Tests that a stack overflow in any thread is handled as a panic, which
+ * leaves a recording as evidence. */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -65,8 +65,8 @@ static void *overflow_thread(void *self)
     return NULL;
 }
 
-/* Simulates a kiosk that records some ticks and then overflows the stack of one thread. Does not
- * return. */
+/* Simulates a kiosk that records some ticks and then overflows the stack of one thread. The
+ * function does not return. */
 static void run_kiosk(const char *folder, bool is_main_thread)
 {
     const struct rlimit no_core_file = { 0 };

@@ -89,7 +89,7 @@ static void test_a_png_is_written_and_a_bad_path_is_an_error(void **state)
     close(fd);
     paint(picture, 32, 16);
     assert_int_equal(png_write(path, picture, 32, 16), 0);
-    fd = open(path, O_RDONLY); /* png_write() has replaced the file, so the test opens the path
+    fd = open(path, O_RDONLY); /* The file was replaced by png_write(), so the test opens the path
                                   again. */
     assert_int_equal(read(fd, head, sizeof head), sizeof head);
     close(fd);

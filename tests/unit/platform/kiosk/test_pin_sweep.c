@@ -1,9 +1,9 @@
-/* test_pin_sweep.c -- Tests the PIN sweep, which removes the PIN of the operator menu from replays
- * of older Kingyo versions.
+/* test_pin_sweep.c -- Tests the PIN sweep. Older versions of Kingyo stored the PIN of the
+ * operator's menu in replays, and the sweep removes it.
  *
  * A replay without its PIN must still verify as genuine, and no old bytes may remain in the
- * database. A replay that may contain a PIN and cannot be cleared is deleted. All other replays
- * stay. Scores and money never change. */
+ * database. If a replay may contain a PIN that cannot be removed, the replay is deleted. All other
+ * replays stay. Scores and money never change. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -40,12 +40,12 @@ static struct ledger_file file;
 static uint8_t replay[SESSION_RECORDER_SIZE], found[SESSION_RECORDER_SIZE];
 static size_t replay_size, found_size;
 static uint8_t memory[SESSION_RECORDER_SIZE];
-static bool hand_is_away; /* True while the tested tank has no controller. */
+static bool hand_is_away; /* True while no controller is connected to the tested core. */
 static bool types_pin;    /* True if keep_as_before() also types the PIN in the menu. */
-static bool refuses_core; /* True if core_init() fails for the core of the sweep. */
-static char logged[400];  /* Log of the last sweep_all(). */
-static uint8_t large[SESSION_RECORDER_SIZE + 1u]; /* One byte larger than any replay that the sweep
-                                                     reads. */
+static bool refuses_core; /* True if core_init() must fail for the core that the sweep runs. */
+static char logged[400];  /* Messages of the last sweep_all(). */
+static uint8_t large[SESSION_RECORDER_SIZE + 1u]; /* Buffer for a replay that is one byte too large
+                                                     for the sweep. */
 
 enum core_error __real_core_init(struct core *to, const struct core_config *config);
 enum core_error __wrap_core_init(struct core *to, const struct core_config *config);
@@ -92,12 +92,13 @@ static void press(uint32_t buttons, uint32_t count)
 }
 
 /* Opens the menu in attract mode, types the PIN 4071, closes the menu and presses START. LEFT and
- * RIGHT move the selection by one digit, and OK types the selected digit. */
+ * RIGHT move the selection by one digit, and OK enters the selected digit. */
 static void type_the_pin(void)
 {
-    hand_is_away = true; /* Disconnects the controller, because its poi would select other keys. */
+    hand_is_away = true; /* Without a controller, no poi can select other digits. */
     for (uint32_t i = 0; i < 2u && !core_status(&core).takes_pin; i++) {
-        press(INPUT_TEST, 1); /* In a game, the first press of TEST only shows a confirmation. */
+        press(INPUT_TEST, 1); /* During a game, the first press of TEST only shows a
+                                 confirmation. */
     }
     assert_true(core_status(&core).takes_pin);
     press(INPUT_RIGHT, 3); /* Moves the selection from digit 1 to digit 4. */
@@ -180,7 +181,7 @@ static enum replay_verdict judged(uint32_t round_id)
     return replay_verifier_result(&judge, &file.content.memory.ranking, round_id, &kept);
 }
 
-/* Returns 1 if the file `name` contains the `size` bytes at `bytes`, otherwise 0. */
+/* Returns 1 if the file `name` contains the `size` bytes at `bytes`, and 0 otherwise. */
 static int file_holds(const char *name, const void *bytes, size_t size)
 {
     static uint8_t all[16u * 1024u * 1024u];
@@ -240,7 +241,7 @@ static void test_removing_the_pin_keeps_an_old_replay_genuine(void **state)
     assert_int_equal(config->rules, 7);
     assert_int_equal(config->persistent.settings.value[SET_PIN], PIN_WITHHELD);
     assert_false(session_recorder_may_contain_pin(&judge.replayer.reader));
-    sweep_all(); /* A second sweep finds no replay with a PIN. */
+    sweep_all(); /* A second sweep must find no replay with a PIN. */
     assert_int_equal(sweep.cleaned + sweep.left, 0);
 }
 
@@ -248,8 +249,8 @@ static void test_removed_pin_bytes_are_erased_from_the_file_at_the_next_open(voi
 {
     (void)state;
     keep_as_before();
-    /* The first bytes contain checksums that the cleared replay does not have. The test searches
-     * the files for these bytes. */
+    /* These first bytes contain checksums that differ in the cleared replay. After the sweep, they
+     * must not be found in the database any more. */
     uint8_t old[REPLAY_HEADER_SIZE + 48u];
     memcpy(old, replay, sizeof old);
     ledger_file_close(&file);
@@ -263,7 +264,7 @@ static void test_removed_pin_bytes_are_erased_from_the_file_at_the_next_open(voi
     assert_false(file_holds(log_path, old, sizeof old));
 }
 
-/* ---- Replays that cannot be cleared of a PIN -------------------------------------------- */
+/* ---- Replays that cannot be cleared of a PIN ------------------------------------------------ */
 
 static void put(uint32_t round_id, const void *bytes, size_t size)
 {
@@ -283,8 +284,9 @@ static void assert_sweep_deletes(uint32_t round_id)
     assert_int_equal(sweep.deleted, 1);
     assert_int_equal(sweep.cleaned + sweep.left, 0);
     assert_non_null(strstr(logged, " 1 were deleted"));
-    assert_null(strstr(logged, "version")); /* The message must not blame a version, because a
-                                               damaged replay may be of the current version. */
+    assert_null(strstr(logged, "version")); /* The message must not name the version as the reason,
+                                               because a damaged replay may have the current
+                                               version. */
     assert_int_equal(ledger_file_get_replay(&file, round_id, found, sizeof found, &size),
                      SQLITE_NOTFOUND);
     ledger_file_close(&file);
@@ -298,7 +300,7 @@ static void assert_sweep_deletes(uint32_t round_id)
     assert_memory_equal(&before.audits, &after.audits, sizeof before.audits);
     assert_memory_equal(&before.ledger.balance, &after.ledger.balance,
                         sizeof before.ledger.balance);
-    sweep_all(); /* A second sweep finds no replay with a PIN. */
+    sweep_all(); /* A second sweep must find no replay with a PIN. */
     assert_int_equal(sweep.cleaned + sweep.deleted + sweep.left, 0);
 }
 
@@ -401,13 +403,13 @@ static void test_the_kiosk_shows_no_seal_for_a_deleted_replay(void **state)
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
 }
 
-/* ---- Replays that can be cleared of a PIN ----------------------------------------------- */
+/* ---- Replays that can be cleared of a PIN --------------------------------------------------- */
 
 static void test_a_replay_of_another_score_is_cleared_and_still_reported(void **state)
 {
     (void)state;
     const uint32_t round_id = keep_as_before();
-    put(round_id + 1u, replay, replay_size); /* The ranking has no round with this id. */
+    put(round_id + 1u, replay, replay_size); /* No round in the ranking has this id. */
     sweep_all();
     assert_int_equal(sweep.cleaned, 2);
     assert_int_equal(sweep.deleted + sweep.left, 0);
@@ -418,9 +420,9 @@ static void test_a_replay_of_another_score_is_cleared_and_still_reported(void **
     assert_false(judge.replayer.difference.found);
 }
 
-/* In format 7, a PIN may have been typed during the recording even if the initial settings have
- * none. The sweep therefore simulates every replay of format 7 and stores the replay in the current
- * format. */
+/* In a replay of format 7, a PIN may have been typed during the recording even if the initial
+ * settings have no PIN. The sweep therefore replays every such recording and stores it in the
+ * current format. */
 static void test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_format(void **state)
 {
     (void)state;
@@ -454,8 +456,8 @@ static void assert_sweep_keeps(uint32_t round_id, const uint8_t *bytes, size_t s
     assert_memory_equal(kept, bytes, size);
 }
 
-/* The second replay is larger than this program can store. A newer program may have stored the
- * replay before the operator went back to this version. */
+/* The first replay has a newer format. The second one is also larger than this program can store. A
+ * newer version may have stored both before the operator went back to this version. */
 static void test_a_replay_of_a_newer_format_is_not_changed(void **state)
 {
     (void)state;
@@ -467,8 +469,8 @@ static void test_a_replay_of_a_newer_format_is_not_changed(void **state)
     assert_sweep_keeps(round_id, large, sizeof large);
 }
 
-/* The first replay is damaged behind a valid header. Programs that write format 8 or newer store no
- * PIN, so the header proves that there is no PIN. */
+/* The first replay is damaged, but its header is valid and has a format of 8 or newer. Programs
+ * that write such formats store no PIN, so the replay must stay. */
 static void test_a_damaged_replay_whose_recorder_stored_no_pin_stays(void **state)
 {
     (void)state;
@@ -479,8 +481,8 @@ static void test_a_damaged_replay_whose_recorder_stored_no_pin_stays(void **stat
     for (uint32_t version = 8; version <= REPLAY_VERSION; version++) {
         memcpy(found, replay, replay_size);
         found[HEADER_VERSION] = (uint8_t)version;
-        found[HEADER_DIGEST_TICKS] = 0; /* No recorder writes the value 0 here, so the replay is
-                                           invalid. */
+        found[HEADER_DIGEST_TICKS] = 0; /* No recorder writes the value 0 in this field, so the
+                                           replay is invalid. */
         replay_put_u64(found + HEADER_SUM, hash_bytes(HASH_START, found, HEADER_SUM));
         assert_sweep_keeps(round_id, found, replay_size);
     }
@@ -501,8 +503,8 @@ static void test_a_replay_stays_until_the_next_start_if_the_core_refuses_to_run(
     assert_int_equal(sweep.cleaned, 1);
 }
 
-/* A PIN would be in the initial state, which is intact here. Only the catalog of species is
- * damaged, so the replay must stay. */
+/* Only the catalog of species is damaged. A PIN would be in the initial state, which is intact and
+ * has none, so the replay must stay. */
 static void test_a_replay_without_a_pin_stays_if_only_its_catalog_cannot_be_read(void **state)
 {
     (void)state;

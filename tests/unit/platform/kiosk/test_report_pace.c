@@ -1,5 +1,5 @@
-/* test_report_pace.c -- Tests the report rate and the longest gap between reports that the
- * operator's screen shows. */
+/* test_report_pace.c -- Tests two values that the operator's menu shows: the report rate of a
+ * controller, and the longest gap between two reports. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,7 +15,7 @@
 #define SECOND_NS 1000000000ull
 #define BEGIN_NS (7u * SECOND_NS)
 
-/* A controller that delivers one report each time `due` is set. */
+/* A simulated controller, which delivers one report in each poll while `due` is set. */
 static struct {
     struct poi_sampler hand;
     uint64_t now_ns;
@@ -56,7 +56,7 @@ static int setup(void **state)
     memset(&rig, 0, sizeof rig);
     rig.is_stamped = 1;
     assert_int_equal(sampler_poi_open(&rig.hand, &device, BEGIN_NS), 0);
-    frame(BEGIN_NS, 0); /* The first second of the measurement begins at this frame. */
+    frame(BEGIN_NS, 0); /* The measurement of the first second begins with this frame. */
     return 0;
 }
 
@@ -67,8 +67,8 @@ static void test_the_report_rate_covers_exactly_one_second(void **state)
         frame(BEGIN_NS + ms * MS_NS, 1);
     }
     frame(BEGIN_NS + SECOND_NS - 1u, 0);
-    assert_int_equal(rig.hand.pace.shown_count, 0); /* The shown report rate is updated only at the
-                                                       end of each second. */
+    assert_int_equal(rig.hand.pace.shown_count, 0); /* The shown rate is not updated before the end
+                                                       of the second. */
     frame(BEGIN_NS + SECOND_NS, 0);
     assert_int_equal(rig.hand.pace.shown_count, 99);
     assert_int_equal(rig.hand.pace.shown_gap_ns, 10u * MS_NS);
@@ -84,8 +84,8 @@ static void test_the_report_rate_restarts_at_zero_each_second(void **state)
         frame(BEGIN_NS + ms * MS_NS, 1);
     }
     frame(BEGIN_NS + 2u * SECOND_NS, 0);
-    assert_int_equal(rig.hand.pace.shown_count, 20); /* 19 reports within the last second, and the
-                                                        report at the start of that second. */
+    assert_int_equal(rig.hand.pace.shown_count, 20); /* The last second has 19 reports after its
+                                                        start and one exactly at its start. */
     assert_int_equal(rig.hand.pace.shown_gap_ns, 50u * MS_NS);
 }
 

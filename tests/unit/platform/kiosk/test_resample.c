@@ -1,5 +1,5 @@
-/* test_resample.c -- Tests the resampling of controller poses to one pose per tick. No reported
- * pose may be used twice. */
+/* test_resample.c -- Tests how the poses of a controller are resampled to one pose per tick. No
+ * reported pose may be used twice. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -103,7 +103,7 @@ static void test_a_non_finite_reading_is_reported_and_passed_on_unchanged(void *
         bad.target.angles.roll_rad = wrong[i];
         assert_int_equal(sampler_path_push(&resampler, &bad), 0);
         const struct poi_target before = sampler_path_at(&resampler, 0, 2);
-        /* The good pose must not be interpolated with the non-finite pose. */
+        /* The valid pose must not be interpolated with the non-finite pose that follows. */
         assert_memory_equal(&before, &good.target, sizeof before);
         const struct poi_target newest = sampler_path_at(&resampler, 1, 2);
         assert_memory_equal(&newest, &bad.target, sizeof newest);
@@ -127,8 +127,8 @@ static void test_a_jump_is_not_interpolated(void **state)
     assert_float_equal(sampler_path_at(&resampler, 3, 4).position_m.x, 1.0f, 0.0f);
 }
 
-/* The same motion of 0.4 m is a jump only for a controller with an orientation sensor. An arm moves
- * such a controller a shorter distance per frame than a mouse moves its pointer. */
+/* The poi moves by 0.4 m in one frame. For a controller with an orientation sensor, this is a jump,
+ * because an arm cannot move so fast. For a mouse it is a normal motion. */
 static void test_the_jump_threshold_depends_on_the_orientation_sensor(void **state)
 {
     (void)state;
@@ -178,8 +178,8 @@ static void test_a_full_reading_queue_keeps_its_first_and_last_reading(void **st
     assert_float_equal(sampler_path_at(&resampler, 0, 2).position_m.x, 0.5f, 1e-5f);
 }
 
-/* After a delay of one second, a frame of two ticks gets all reports of that second. Only the
- * newest pose is used, and only the first tick reports the gap. */
+/* The frame loop was delayed by one second. The next frame has two ticks and gets all reports of
+ * that second. Only the newest pose may be used, and only the first tick reports the gap. */
 static void test_motion_of_a_delay_is_flagged_and_not_interpolated(void **state)
 {
     (void)state;

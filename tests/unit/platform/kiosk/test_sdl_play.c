@@ -26,15 +26,15 @@
 #define WIDTH 1280u
 #define HEIGHT 720u
 
-/* A simulated player, with the target position of the ring and the device that moves the ring. */
+/* Simulated player: the target position of the ring, and the device that moves the ring. */
 static struct sdl_player {
     struct clock_sim clock;
     struct gamepads gamepads;
     struct mouse_poi pointer;
     struct hal hal;
     struct kiosk kiosk;
-    void (*say)(void); /* Function that sends SDL events, so that the device moves the ring towards
-                          `over_m`. */
+    void (*say)(void); /* Function that sends the SDL events of the device, which move the ring
+                          towards `over_m`. */
     vec3 over_m;
     uint8_t dips;
     float x, y; /* Window position of the finger that controls the poi. */
@@ -74,8 +74,8 @@ static SDL_Joystick *joystick(void)
     return SDL_GameControllerGetJoystick(player.gamepads.pad[0].controller);
 }
 
-/* Returns the stick deflection for a distance of `way_m` to the target. The deflection exceeds the
- * dead zone of 15 % of the range, and is full from 8 cm. */
+/* Returns the stick deflection for a distance of `way_m` to the target. The deflection is greater
+ * than the dead zone (15 % of the range) at once, and is full from 8 cm on. */
 static Sint16 push_of(float way_m)
 {
     const float push = f_clamp(way_m / 0.08f, -1.0f, 1.0f);
@@ -109,8 +109,8 @@ static void push_finger(uint32_t type, SDL_FingerID id, float x, float y)
     assert_int_equal(SDL_PushEvent(&event), 1);
 }
 
-/* Slides the finger towards the screen position of the target, at half the speed while the ring is
- * under water. */
+/* Slides the finger towards the screen position of the target. Under water the finger moves at half
+ * the speed. */
 static void say_fingers(void)
 {
     float x;
@@ -160,9 +160,9 @@ static void go_to(vec3 over_m, float near_m, uint32_t frames_max)
     }
 }
 
-/* Tries to scoop one fish. Dips the ring beside the fish, moves the ring below the fish, lifts the
- * fish and carries it over the bowl. If `flies` is 1, the ring rises straight up, because the
- * target follows the ring. */
+/* Makes one attempt to scoop a fish. Dips the ring beside the fish, moves the ring below the fish,
+ * lifts the fish and carries it over the bowl. If `flies` is 1, the target follows the ring during
+ * the lift, so that the ring rises straight up. */
 static void try_once(int flies)
 {
     const struct fish *fish = choose();
@@ -204,7 +204,7 @@ static uint32_t landed_in(uint32_t rounds, int flies, const char *what)
     return landed;
 }
 
-/* ---- Way from START to the first dip --------------------------------------------------------- */
+/* ---- Time from START to the first dip ------------------------------------------------------- */
 
 /* Moves the mouse in a straight line to (x, y) in the window, in 0.3 s. */
 static void glide_mouse(float x, float y)
@@ -235,8 +235,9 @@ static void say_nothing(void)
 {
 }
 
-/* Plays from START to the first dip with a mouse. The visitor looks for `look_s` at the selection,
- * and clicks on `tag` or, if `tag` is MODE_TAG_COUNT, at once. Returns the time in seconds. */
+/* Plays with a mouse from START to the first dip. The visitor waits `look_s` in the selection of
+ * game modes, and then clicks on the wooden tag `tag`. If `tag` is MODE_TAG_COUNT, the visitor
+ * clicks without moving the pointer. Returns the time in seconds. */
 static float start_to_dip_s(uint32_t tag, float look_s)
 {
     const struct kiosk_config config = { .core = { .seed = 1,

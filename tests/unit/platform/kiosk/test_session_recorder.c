@@ -1,5 +1,5 @@
 /* test_session_recorder.c -- Tests the session recorder, which stores a replay with each ranked
- * score, and the verifier, which rejects every other replay. */
+ * score. Also tests the verifier, which rejects every replay that does not prove the score. */
 #include <fenv.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -30,8 +30,8 @@ static struct hal_storage storage;
 static uint8_t room[SESSION_RECORDER_SIZE];
 static int hand_is_away;
 
-/* Advances both cores by one tick. A bot plays in the core `bots`. A simulated controller sends the
- * bot's poses to the tested core, which therefore records a human player. */
+/* Advances two cores by one tick: `bots`, in which a bot plays, and the tested `core`. A simulated
+ * controller sends the bot's poses to `core`, so that `core` records a human player. */
 static void tick(uint32_t pressed)
 {
     struct input by_bot = { .pressed = pressed, .poi[0].link = POI_SOURCE_BOT };
@@ -103,8 +103,8 @@ static uint32_t play(void)
     return play_at_once();
 }
 
-/* Runs ticks without a controller until the core starts a new session in attract mode. Then copies
- * the tested core to `bots`, so that both are equal again. */
+/* Runs ticks without a controller until the tested core starts a new session in attract mode.
+ * Finally `bots` becomes a copy of the tested core, so that both continue equally. */
 static void rest(void)
 {
     hand_is_away = 1;
@@ -116,8 +116,8 @@ static void rest(void)
     bots = core;
 }
 
-/* Returns the verdict for a round whose entry is no longer in the ledger, so that only the ranking
- * can be compared with the replay. */
+/* Returns the verdict for a round whose entry is no longer in the ledger. The replay can then be
+ * compared only with the ranking. */
 static enum replay_verdict says(uint32_t round_id)
 {
     static const struct ledger_entry dropped;
@@ -144,7 +144,7 @@ static void test_a_ranked_round_has_a_replay_that_verifies(void **state)
     assert_int_equal(judged(room, sim.replay_size, round_id + 1u), REPLAY_VERDICT_OTHER);
 }
 
-/* Returns the settings in the initial state of the replay. */
+/* Returns the settings that the replay contains in its initial state. */
 static const struct settings *settings_of(const uint8_t *bytes, size_t size)
 {
     static struct replay_reader reader;
@@ -171,7 +171,7 @@ static void test_a_stored_replay_contains_no_pin_and_verifies(void **state)
     const uint32_t first_id = play();
     assert_int_equal(settings_of(room, sim.replay_size)->value[SET_PIN], PIN_WITHHELD);
     assert_int_equal(judged(room, sim.replay_size, first_id), REPLAY_VERDICT_GENUINE);
-    rest(); /* The initial state of the next session contains the PIN. */
+    rest(); /* The new session that begins here has the PIN in its initial state. */
     const uint32_t round_id = play();
     assert_int_equal(sim.replay_id, round_id);
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
@@ -184,13 +184,12 @@ static void test_a_stored_replay_contains_no_pin_and_verifies(void **state)
     replay_close(&reader);
 }
 
-/* Starts a session after a change of the PIN. The ledger has the PIN `told`, and the setting in use
- * is `kept`. */
+/* Starts a session after a change of the PIN. `told` is the PIN in the ledger, and `kept` is the
+ * PIN in the settings. */
 static void begin_with_pin(int32_t told, int32_t kept)
 {
     static struct core_config config;
-    rest(); /* A new session begins here. The configuration of the session gets the PINs
-               `kept` and `told`. */
+    rest(); /* A new session begins here, and its configuration then gets both PINs. */
     config = core.config;
     config.persistent.settings.value[SET_PIN] = kept;
     config.session.settings_edit.told.value[SET_PIN] = told;
@@ -215,8 +214,8 @@ static void test_a_replay_after_a_change_of_the_pin_verifies(void **state)
     }
 }
 
-/* Writes the session to a file, as after a panic, and replays the file. Asserts that the replay
- * contains no PIN and ends in the state with `hash`. */
+/* Writes the session to a file, as after a panic, and replays the file. Asserts that the file
+ * contains no PIN, and that the replay ends in the state with `hash`. */
 static void assert_panic_replay_ends_in(uint64_t hash)
 {
     static struct replayer replayer;
@@ -253,8 +252,7 @@ static void test_a_panic_replay_contains_no_pin_and_reproduces_the_game(void **s
     (void)state;
     lock(4071);
     play();
-    ticks(50); /* 50 ticks are less than a second, so the last second of the recording is
-                  incomplete. */
+    ticks(50); /* 50 ticks are less than a second, so the recording ends within a second. */
     assert_panic_replay_ends_in(core_hash(&core));
 }
 
@@ -268,14 +266,14 @@ static void test_the_recording_ends_when_a_page_for_the_pin_opens(void **state)
     assert_false(replay_is_open(&chapters.writer));
     const uint64_t hash = core_hash(&core);
     ticks(CORE_TICK_HZ);
-    /* Four presses of OK type 1111, which is a wrong PIN. */
+    /* Presses OK four times, which types 1111, a wrong PIN. */
     for (uint32_t i = 0; i < 4u; i++) {
         tick(INPUT_OK);
         ticks(CORE_TICK_HZ / 2u);
     }
     assert_int_equal(core.game.settings_edit.pin_wrong, 1);
     assert_panic_replay_ends_in(hash);
-    lock(4071); /* lock() starts a new session, and a new recording. */
+    lock(4071); /* lock() starts a new session with a new recording. */
     assert_true(replay_is_open(&chapters.writer));
 }
 
@@ -291,23 +289,22 @@ static void test_the_recording_ends_when_the_page_for_a_new_pin_opens(void **sta
     assert_false(replay_is_open(&chapters.writer));
 }
 
-/* A round without a replay is normally counted in `missed`, and the menu then shows a warning.
- * Opening a page for the PIN ends the recording on purpose, so no round is counted. */
+/* `missed` normally counts each round without a replay, and the menu then shows a warning. A page
+ * for the PIN ends the recording on purpose, so this round must not be counted. */
 static void test_a_round_after_a_page_for_the_pin_has_no_replay_and_is_not_missed(void **state)
 {
     (void)state;
     lock(4071);
-    hand_is_away = 1; /* Disconnects the controller, because its poi would select keys. */
+    hand_is_away = 1; /* Without a controller, no poi can select digits. */
     tick(INPUT_TEST);
     assert_true(core_status(&core).takes_pin);
     for (uint32_t i = 0; i <= MENU_PIN_IDLE_TICKS && core.game.phase == PHASE_MENU; i++) {
-        tick(0); /* The menu closes after its idle timeout. */
+        tick(0); /* The loop ends when the menu closes after its idle timeout. */
     }
     hand_is_away = 0;
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    bots = core;    /* In `bots` the menu is still open, so `bots` becomes a copy of the tested
-                       core. */
-    play_at_once(); /* The round starts before a new session can start. */
+    bots = core;    /* `bots` still has an open menu, so it becomes a copy of the tested core. */
+    play_at_once(); /* This round starts before a new session could begin. */
     assert_int_equal(chapters.missed, 0);
     assert_int_equal(sim.replay_id, 0);
 }
@@ -378,8 +375,7 @@ static void test_an_edited_score_is_not_genuine(void **state)
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
 }
 
-/* Each iteration changes one field of the stored round, so that the round differs from the replayed
- * round. */
+/* In each step of the loop, one field of the stored round differs from the replayed round. */
 static void test_a_replay_of_a_different_round_is_not_genuine(void **state)
 {
     (void)state;
@@ -410,15 +406,15 @@ static void test_a_replay_of_a_different_round_is_not_genuine(void **state)
             REPLAY_VERDICT_OTHER);
         sim.round = kept;
     }
-    sim.round = (struct ledger_entry){ 0 }; /* An empty entry: the ledger no longer contains the
-                                               round. Only the ranking is compared. */
+    sim.round = (struct ledger_entry){ 0 }; /* With an empty entry, as if the ledger had dropped the
+                                               round, only the ranking is compared. */
     assert_int_equal(
         replay_verifier_result(&judge, &core.game.accounts.ranking, round_id, &sim.round),
         REPLAY_VERDICT_GENUINE);
 }
 
 /* Changes one field of the verifier's result or of the ranking at a time. Each change alone must
- * cause a rejection. */
+ * make the score not genuine. */
 static void test_each_single_mismatch_makes_a_score_not_genuine(void **state)
 {
     (void)state;
@@ -429,18 +425,18 @@ static void test_each_single_mismatch_makes_a_score_not_genuine(void **state)
     static struct replay_verifier found;
     found = judge;
 
-    judge.round.round.players = 2; /* The bit mask 2 names slot 1 as the only player, but the score
+    judge.round.round.players = 2; /* The mask 2 means that only slot 1 played, but the score
                                       belongs to slot 0. */
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
     judge = found;
     memset(&core.game.accounts.ranking, 0, sizeof core.game.accounts.ranking);
     *row = ranked;
-    row->round_id = round_id + 1u; /* The ranking row belongs to another round with the same
+    row->round_id = round_id + 1u; /* The ranking row now names another round with the same
                                       catch. */
     assert_int_equal(says(round_id + 1u), REPLAY_VERDICT_OTHER);
     *row = ranked;
     assert_int_equal(says(round_id), REPLAY_VERDICT_GENUINE);
-    judge.said.ticks++; /* The recorded number of ticks is larger than the replayed one. */
+    judge.said.ticks++; /* The recorded number of ticks is now larger than the replayed number. */
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
     judge = found;
     judge.round.round.by_bot = 1;
@@ -507,8 +503,8 @@ static void test_a_store_without_replays_keeps_all_other_data(void **state)
     assert_int_equal(chapters.round_id, 0);
     assert_int_equal(chapters.missed, 0);
     sim.replay = room;
-    sim.replay_room = 100; /* Every replay is larger than 100 bytes, so no replay fits, as on a full
-                              card. */
+    sim.replay_room = 100; /* Every replay is larger than 100 bytes, so the store has no room for a
+                              replay, as on a full card. */
     rest();
     play();
     assert_int_equal(chapters.round_id, 0);
@@ -519,8 +515,8 @@ static void test_a_store_without_replays_keeps_all_other_data(void **state)
 
 static struct score_playback playback;
 static struct scene scene;
-/* Time of the simulated stopwatch in ns. Each reading adds a third of the time that one frame may
- * spend on seeking in a replay. */
+/* Time of the simulated stopwatch in ns. Each reading advances it by a third of the time that one
+ * frame may spend on seeking in a replay. */
 static uint64_t watch_ns;
 
 static uint64_t look_at_watch(void *self)
@@ -541,7 +537,8 @@ static void frame(void)
     score_playback_show(&playback, &scene, &output);
 }
 
-/* Runs frames while the state is `what`, for at most 90 s. Returns the number of frames. */
+/* Runs frames while the playback has the state `what`, but for at most 90 s. Returns the number of
+ * frames. */
 static uint32_t frames_while(uint8_t what)
 {
     uint32_t count = 0;
@@ -557,15 +554,15 @@ static void test_a_played_back_score_is_shown_as_genuine(void **state)
     (void)state;
     const uint32_t round_id = play();
     ticks(200);
-    sim.replay_polls_left = 30; /* The store needs 30 frames (half a second) to read the replay. */
+    sim.replay_polls_left = 30; /* The store needs 30 frames to read the replay. */
     score_playback_request(&playback, round_id);
     frame();
     assert_int_equal(scene.playback, ENCORE_SEEKS);
     assert_in_range(frames_while(ENCORE_SEEKS), 29, 40);
     assert_int_equal(playback.state, ENCORE_PLAYS);
     const uint32_t shown = frames_while(ENCORE_PLAYS);
-    assert_in_range(shown, 10u * 60u, 60u * 60u); /* The playback takes 10 to 60 s, because it runs
-                                                     at normal speed. */
+    assert_in_range(shown, 10u * 60u, 60u * 60u); /* The playback runs at normal speed, and takes
+                                                     between 10 and 60 s. */
     assert_int_equal(scene.playback, ENCORE_GENUINE);
     assert_int_equal(scene.caught[0], sim.record.caught);
     assert_int_equal(frames_while(ENCORE_GENUINE), SCORE_PLAYBACK_END_TICKS / 2u);
@@ -602,7 +599,7 @@ static void test_a_button_or_a_dip_ends_the_playback(void **state)
     const uint32_t round_id = play();
     score_playback_request(&playback, round_id);
     frames_while(ENCORE_SEEKS);
-    /* The dip began before the playback, so the dip does not end the playback. */
+    /* This dip began before the playback, so it must not end the playback. */
     assert_int_equal(score_playback_handle_input(&playback, 0, poi), 0);
     poi[0].target.position_m.y = 0.05f;
     assert_int_equal(score_playback_handle_input(&playback, 0, poi), 0);

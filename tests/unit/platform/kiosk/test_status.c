@@ -1,5 +1,5 @@
-/* test_status.c -- Tests the status file: its content, that a reader never sees an incomplete file,
- * and that writing the file never blocks a frame. */
+/* test_status.c -- Tests the status file. A reader must never see an incomplete file, and writing
+ * the file must never block a frame. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -48,8 +48,8 @@ static void read_text(char text[STATUS_TEXT_MAX])
     fclose(file);
 }
 
-/* Asserts that `text` is valid JSON and that its value at the JSON path `where` is `wanted`. SQLite
- * parses the text. */
+/* Asserts that `text` is valid JSON, and that the value at the JSON path `where` is `wanted`.
+ * SQLite is used as the parser. */
 static void check_json(const char *text, const char *where, const char *wanted)
 {
     sqlite3 *database;
@@ -120,7 +120,7 @@ static const struct status_report full_report = {
     .device = { { "poi", "mouse" } },
 };
 
-/* Expected values in the status file of full_report, by their JSON paths. */
+/* Expected value at each JSON path of the status file of full_report. */
 static const struct {
     const char *where, *wanted;
 } expected[] = {
@@ -219,7 +219,7 @@ static void test_invalid_utf8_is_replaced(void **state)
           "a\uFFFD"
           "b" },
         { "\xC3", "\uFFFD" },
-        /* A UTF-8 character of three bytes whose last byte is missing. */
+        /* The first two bytes of a UTF-8 character of three bytes. */
         { "\xE9\x87", "\uFFFD\uFFFD" },
         { "\xC0\xAF", "\uFFFD\uFFFD" },
         { "\xED\xA0\x80", "\uFFFD\uFFFD\uFFFD" },
@@ -245,8 +245,8 @@ static void test_the_longest_status_report_fits_its_buffer(void **state)
     report.device_count = STATUS_DEVICES_MAX;
     for (uint32_t i = 0; i < STATUS_DEVICES_MAX; i++) {
         report.device[i].part = "switches";
-        /* JSON escapes the character 1 as six characters (\u0001), so the text gets its maximum
-         * length. */
+        /* The character with the code 1 is escaped with six characters (\u0001), so the text has
+         * its maximum length. */
         memset(report.device[i].text, 1, HAL_TEXT_SIZE - 1u);
         report.device[i].text[HAL_TEXT_SIZE - 1u] = '\0';
     }
@@ -280,8 +280,8 @@ static void test_the_status_file_exists_only_while_the_kiosk_runs(void **state)
     read_text(text);
     check_json(text, "$.frames.count", "5");
     assert_int_equal(stat(path, &about), 0);
-    assert_int_equal(about.st_mode & 0777, 0644); /* The file is readable for all users in spite of
-                                                     the umask 0077. */
+    assert_int_equal(about.st_mode & 0777, 0644); /* The file must be readable for all users,
+                                                     although the umask is 0077. */
     status_end(&status);
     assert_int_equal(access(path, F_OK), -1);
 }
@@ -314,8 +314,8 @@ static void test_a_store_fault_is_written_to_the_status_immediately(void **state
     assert_true(waits_for_file());
     assert_int_equal(unlink(path), 0);
     kiosk.input.store_well = 0;
-    /* The frame cannot report the fault while the thread has the mutex. The next frame must report
-     * the fault. */
+    /* The first call cannot pass on the fault, because the mutex is locked. The next call must pass
+     * it on. */
     pthread_mutex_lock(&status.mutex);
     status_update(&status, &kiosk, &hal, 6);
     pthread_mutex_unlock(&status.mutex);
@@ -332,10 +332,11 @@ static void test_no_frame_waits_for_the_status_file(void **state)
     const struct hal hal = null_hal(NULL);
     (void)state;
     status_begin(&status, folder);
-    /* Locks the mutex, as the writing thread does while it copies a report. */
+    /* The test locks the mutex, as the writing thread does while it copies a report. */
     pthread_mutex_lock(&status.mutex);
     status_update(&status, &kiosk, &hal, 0);
-    assert_int_equal(status.is_fresh, 0); /* The frame skipped the report and did not block. */
+    assert_int_equal(status.is_fresh, 0); /* status_update() must skip the report instead of waiting
+                                             for the mutex. */
     pthread_mutex_unlock(&status.mutex);
     status_end(&status);
 }

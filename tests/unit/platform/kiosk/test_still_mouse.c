@@ -1,8 +1,8 @@
 /* test_still_mouse.c -- Tests that a mouse at rest does not count as moved when the view changes to
  * another tank.
  *
- * After the change, the same pixel shows another point of the water. The decoder and the frame loop
- * are real. */
+ * After this change, the same pixel shows another point of the water. The decoder and the frame
+ * loop are real. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -69,8 +69,7 @@ static void lie_still(uint64_t frame_ns)
         frame(frame_ns);
         assert_int_equal(seat.kiosk.core.game.player[0].fouls, 0);
     }
-    /* The position on the water changes as much as if the mouse had moved, because the view has
-     * changed. */
+    /* The new view changes the position on the water as much as a movement of the mouse would. */
     assert_true(v3_length(v3_sub(hand_m(), before_m)) > PLAYER_STIR_M);
 }
 

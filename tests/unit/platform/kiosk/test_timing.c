@@ -1,4 +1,4 @@
-/* test_timing.c -- Tests the histogram of durations. */
+/* test_timing.c -- Tests the histogram that counts durations, for example of frames. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

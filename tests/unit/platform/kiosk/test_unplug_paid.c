@@ -1,9 +1,9 @@
 /* test_unplug_paid.c -- Tests a paid round in which the controller is unplugged at each of 1000
  * reports.
  *
- * The round must pause, continue after the cable is plugged in again, and lose no credit. Reports
- * of Kingyo's own controller pass through a simulated USB device, the real decoder and the real
- * frame loop. After each unplug, the kiosk is restored to the state before the unplug. */
+ * The round must pause, continue after the cable is plugged in again, and lose no credit. The
+ * reports of a Kingyo poi pass through a simulated USB device, the real decoder and the real frame
+ * loop. After each unplug, the kiosk is restored to the state before the unplug. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,7 +23,8 @@
 #include "tests/unit/support/hid_wire.h"
 #include "tests/unit/support/purse.h"
 
-#define REPORT_NS 8333333ull /* Report interval in ns: 120 reports a second, two reports a frame. */
+/* Time between two reports in ns. 120 reports a second are two reports a frame. */
+#define REPORT_NS 8333333ull
 #define UNPLUGS 1000u
 #define PRICE 2u
 
@@ -37,7 +38,7 @@ static struct rig {
     uint32_t report_count;
 } rig, saved;
 
-/* Sends one report of a pose that moves around over the tank, trembles and dips from time to time.
+/* Sends one report of a poi that moves around above the tank, trembles and dips from time to time.
  * Runs a frame after every second report. */
 static void report(void)
 {
@@ -92,7 +93,7 @@ static int set_up(void **state)
     rig.hal.storage = storage_sim_device(&rig.storage);
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
     reports(60);
-    pay(2u * PRICE); /* Two credits, one for this round and one that must remain. */
+    pay(2u * PRICE); /* One credit pays for this round, and the other one must remain. */
     rig.kiosk.input.pressed = INPUT_START;
     while (game()->phase != PHASE_ROUND) {
         report();
@@ -152,8 +153,8 @@ static void test_an_unplug_at_any_of_1000_reports_pauses_the_round(void **state)
         report();
     }
     assert_int_equal(resumed, UNPLUGS);
-    /* 160 reports are 1.33 s: up to 1 s until the kiosk retries to open the device, and 0.25 s in
-     * which its pose is validated. */
+    /* 160 reports are 1.33 s. The kiosk reopens the device within 1 s, and validates its poses for
+     * another 0.25 s. */
     assert_true(slowest <= 160u);
     print_message(
         "# %u unplugs: the round continues %.2f s after the cable is in (mean), %.2f s at "

@@ -1,5 +1,5 @@
-/* test_atomic_file.c -- Tests that a file is written completely or not at all. PNG files are
- * written in the same way. */
+/* test_atomic_file.c -- Tests that a file is written completely or not at all. The same function
+ * writes PNG files. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -87,8 +87,8 @@ static void test_an_incomplete_file_is_removed(void **state)
     assert_false(exists(path));
 }
 
-/* The byte that the test writes stays in the buffer of the C library until the close. Only the
- * close therefore reports the full device. */
+/* The C library keeps the written byte in its buffer until the close. Only the close can therefore
+ * report that the device is full. */
 static void test_a_full_device_is_reported_and_not_removed(void **state)
 {
     (void)state;
@@ -193,7 +193,7 @@ static void test_a_pipe_receives_the_data_and_is_not_replaced(void **state)
     (void)state;
     char is[8] = "";
     assert_int_equal(mkfifo(path, 0600), 0);
-    /* Without a reader, the open must fail at once instead of blocking. */
+    /* The FIFO has no reader, so the open must fail at once instead of blocking. */
     assert_int_equal(write_new(file_atomic_open, path), -ENXIO);
     const int reader = open(path, O_RDONLY | O_NONBLOCK);
     assert_true(reader >= 0);
@@ -206,8 +206,8 @@ static void test_a_pipe_receives_the_data_and_is_not_replaced(void **state)
     unlink(path);
 }
 
-/* Neither kind of write may replace a device. The test needs the permission to create device nodes.
- * Without it, the test is skipped. */
+/* No kind of write may replace a device. Creating a device node needs a permission, without which
+ * the test is skipped. */
 static void test_a_device_is_never_replaced(void **state)
 {
     (void)state;
@@ -216,7 +216,7 @@ static void test_a_device_is_never_replaced(void **state)
         skip();
     }
     const int fd = open(path, O_WRONLY | O_CLOEXEC);
-    /* On a file system with the mount option nodev, no device can be opened. */
+    /* The device cannot be opened if the file system has the mount option nodev. */
     const int opens = fd >= 0;
     if (opens) {
         close(fd);
@@ -225,7 +225,7 @@ static void test_a_device_is_never_replaced(void **state)
     assert_int_equal(write_new(file_atomic_open_durable, path), -ENOTSUP);
     assert_int_equal(kind_of(path), S_IFCHR);
     unlink(path);
-    /* A block device must be rejected. */
+    /* The path is now a block device, which must be rejected too. */
     if (mknod(path, S_IFBLK | 0600, makedev(7, 250)) == 0) {
         assert_int_equal(write_new(file_atomic_open, path), -ENOTSUP);
         assert_int_equal(kind_of(path), S_IFBLK);
@@ -247,7 +247,7 @@ static void test_a_link_keeps_its_target(void **state)
     assert_int_equal(write_new(file_atomic_open, link), 0);
     assert_int_equal(kind_of(link), S_IFLNK);
     reads(path, "new");
-    /* The temporary path is a link. The target of the link must not be changed. */
+    /* The path of the temporary file is a link. The target of the link must not be changed. */
     unlink(link);
     write_words(link, "theirs");
     assert_int_equal(symlink(link, part), 0);

@@ -1,5 +1,5 @@
-/* test_clock.c -- Tests the number of the day and the minute that the core gets from the calendar,
- * and the monotonic clock. */
+/* test_clock.c -- Tests the day number and the minute of the day, which the core gets from the
+ * calendar. Also tests the monotonic clock. */
 #define _DEFAULT_SOURCE /* For timegm(). */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -52,7 +52,7 @@ static void test_the_first_and_the_last_day_have_a_number(void **state)
     assert_int_equal(day, 9497);
     assert_int_equal(minute, 0);
     clock_civil(&last, &day, &minute);
-    assert_int_equal(day, 65378); /* The last day still fits into 16 bits. */
+    assert_int_equal(day, 65378); /* Days are stored in 16 bits, and this last day still fits. */
     assert_int_equal(minute, 1439);
 }
 

@@ -1,5 +1,5 @@
-/* test_file_give.c -- Tests a function that changes the owner and the mode of a file. The function
- * must change only regular files of the caller that have no second name (hard link). */
+/* test_file_give.c -- Tests the function that changes the owner and the mode of a file. Only a
+ * regular file may be changed that belongs to the caller and has no second name (hard link). */
 #include <errno.h>
 #include <fcntl.h>
 #include <setjmp.h>
@@ -42,8 +42,8 @@ static int tear_down(void **state)
     return rmdir(folder);
 }
 
-/* Tries to change the owner and mode of `path`. Asserts that the call fails with `error` and that
- * the file `victim` is unchanged. */
+/* Tries to change the owner and the mode of `path`. Asserts that the call fails with `error`, and
+ * that the file `victim` is unchanged. */
 static void check_refused(int error)
 {
     struct stat before, after;
@@ -90,7 +90,7 @@ static void test_a_file_of_another_user_is_refused(void **state)
 {
     (void)state;
     if (geteuid() != 0) {
-        skip(); /* Only root can create a file that belongs to another user. */
+        skip(); /* The test needs root, because only root can create a file of another user. */
     }
     const int handle = open(path, O_CREAT | O_WRONLY, 0600);
     assert_true(handle >= 0);

@@ -20,8 +20,8 @@ static char place[] = "/tmp/kingyo-say-XXXXXX";
 static char said[2u * LOG_LINE_MAX];
 static bool has_variable = true;
 
-/* Logs a warning with standard error redirected to a file. $JOURNAL_STREAM names the inode of the
- * journal. With a `shift` of 0 the file counts as the journal, otherwise not. */
+/* Logs a warning while standard error is a file. $JOURNAL_STREAM names the device and the inode of
+ * the journal. If `shift` is 0, the variable names this file, so the file counts as the journal. */
 static void say_into_file(int shift, const char *words)
 {
     char journal[64];

@@ -92,7 +92,7 @@ static void test_a_number_is_unchanged_by_printing_and_parsing(void **state)
 
 int main(void)
 {
-    /* The user's locale may have a decimal comma, which would make the tests fail if the code
+    /* The locale of the user may have a decimal comma. The tests would then fail if the code
      * depended on the locale. */
     (void)setlocale(LC_ALL, "");
     const struct CMUnitTest tests[] = {

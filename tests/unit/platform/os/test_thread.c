@@ -1,4 +1,4 @@
-/* test_thread.c -- Tests the function with which a thread waits for an event or a timeout, also if
+/* test_thread.c -- Tests the function with which a thread waits for an event or a timeout, even if
  * poll() fails. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -38,8 +38,8 @@ static void test_the_wait_ends_without_an_event(void **state)
     close(fd);
 }
 
-/* With a limit of 0 open files, poll() fails. The function must still pause, so that its caller
- * does not loop without a pause. */
+/* With a limit of 0 open files, poll() fails. The function must nevertheless pause, because its
+ * caller calls it in a loop. */
 static void test_a_failed_wait_pauses_before_it_returns(void **state)
 {
     (void)state;

@@ -18,7 +18,8 @@
 
 static bool is_minimised;
 
-/* Replaces the function of SDL, because SDL's offscreen driver cannot minimise a window. */
+/* Replaces SDL's function in this test program, because SDL's offscreen driver cannot minimise a
+ * window. */
 void SDL_GL_GetDrawableSize(SDL_Window *window, int *width, int *height)
 {
     SDL_GetWindowSize(window, width, height);
@@ -87,8 +88,8 @@ static void test_the_picture_has_the_size_of_the_window(void **state)
     assert_non_null(strstr(device.ops->describe(device.self), "200x160"));
 }
 
-/* Some window managers ignore the minimum size of a window, so any size must be drawn without an
- * error. */
+/* Some window managers ignore the minimum size of a window. A window of any size must therefore be
+ * drawn without an error. */
 static void test_a_window_of_a_few_pixels_is_drawn_into(void **state)
 {
     (void)state;
@@ -129,8 +130,8 @@ static void test_on_demand_drawing_skips_frames_without_a_picture(void **state)
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-/* A hint fades in from the frame in which it first occurs. The fade-in must also begin if the
- * display skips that frame because no picture is requested. */
+/* A hint fades in from the frame in which it first occurs. The display may skip this frame because
+ * no picture was requested, but the fade-in must begin all the same. */
 static void test_a_picture_on_demand_shows_the_hint_of_skipped_frames(void **state)
 {
     (void)state;
@@ -147,10 +148,12 @@ static void test_a_picture_on_demand_shows_the_hint_of_skipped_frames(void **sta
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-#define SIDE HEIGHT /* The screen is square because SDL's offscreen surface keeps its first size. */
+/* The picture is square, so that a rotation does not change its size. SDL's offscreen surface
+ * cannot change its size. */
+#define SIDE HEIGHT
 
-/* Returns the index of the byte at which the pixel (x, y) lies after `rotation` clockwise quarter
- * turns of a square picture. */
+/* Returns the index of the first byte of a pixel. (x, y) is the pixel's position before the square
+ * picture is rotated by `rotation` clockwise quarter turns. */
 static uint32_t turned_at(uint32_t rotation, uint32_t x, uint32_t y)
 {
     for (uint32_t i = 0; i < rotation; i++) {
@@ -166,7 +169,7 @@ static void square(uint8_t rgb[PIXELS_SIZE], uint32_t rotation)
     struct hal_image image = { .rgb = rgb, .size = PIXELS_SIZE };
     device.ops->set_transform(device.self,
                               &(struct display_settings){ .rotation = rotation, .light = 1.0f });
-    /* In 20 frames, the texture of the fish on the album page is fully refined. */
+    /* 20 frames are enough to refine the texture of the fish on the album page completely. */
     for (uint32_t i = 0; i < 20u; i++) {
         assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
     }
@@ -174,8 +177,8 @@ static void square(uint8_t rgb[PIXELS_SIZE], uint32_t rotation)
     assert_int_equal(image.width, SIDE);
 }
 
-/* Draws the page `phase` with and without a rotation. Turns one picture back and asserts that both
- * are equal except for small rounding errors. */
+/* Draws the page `phase` with and without a rotation. Rotates one picture back, and asserts that
+ * both pictures are equal except for small rounding errors. */
 static void show_turned(uint8_t phase, uint32_t rotation)
 {
     uint64_t sum = 0;
@@ -298,7 +301,7 @@ static void test_a_reset_of_the_graphics_driver_reopens_the_display(void **state
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
     assert_int_equal(device.ops->poll(device.self, &events), HAL_ERR_GONE);
-    /* The kiosk can reopen the display, so the display must not request the end of the program. */
+    /* The kiosk can reopen a lost display, so the program must not end. */
     assert_int_equal(events.lost, 0);
     assert_int_equal(ends, 0);
     assert_non_null(strstr(device.ops->describe(device.self), "as if the driver had reset"));
@@ -307,7 +310,8 @@ static void test_a_reset_of_the_graphics_driver_reopens_the_display(void **state
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-/* Creates the files of a connector as in /sys/class/drm. `status` is its connection status. */
+/* Creates the files of a connector as in /sys/class/drm. `status` is the connection status of the
+ * connector. */
 static void plug(const char *folder, const char *socket, const char *status)
 {
     char path[128];
@@ -349,8 +353,8 @@ static void test_only_connectors_with_a_monitor_are_counted(void **state)
     unmake(folder);
 }
 
-/* Moves the time of the last check two seconds into the past, so that the poll checks the
- * connectors again. */
+/* Polls the display after moving the time of its last check two seconds into the past. The poll
+ * therefore checks the connectors again. */
 static int look(struct display_events *events)
 {
     display.looked_ns -= 2000000000ull;
@@ -372,7 +376,8 @@ static void test_an_unplugged_screen_is_gone_until_it_returns(void **state)
     picture(pixels[0]);
     assert_int_equal(look(&events), HAL_OK);
     plug(folder, "card0-HDMI-A-1", "disconnected\n");
-    /* One check without a screen may be a brief interruption, so the display is not lost yet. */
+    /* The screen was missing in one check only, which may be a short interruption, so the display
+     * is not lost yet. */
     assert_int_equal(look(&events), HAL_OK);
     plug(folder, "card0-HDMI-A-1", "connected\n");
     assert_int_equal(look(&events), HAL_OK);
@@ -384,7 +389,8 @@ static void test_an_unplugged_screen_is_gone_until_it_returns(void **state)
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
     setenv("SDL_VIDEODRIVER", "kmsdrm", 1);
     display.config.off_screen = false;
-    /* Without a screen, open() must fail before it calls SDL. */
+    /* Without a screen, open() must fail before it calls SDL, and must name the missing screen as
+     * the reason. */
     assert_int_equal(device.ops->open(device.self), HAL_ERR_GONE);
     assert_non_null(strstr(device.ops->describe(device.self), "no screen is connected"));
     unsetenv("SDL_VIDEODRIVER");

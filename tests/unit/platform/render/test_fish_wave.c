@@ -1,4 +1,4 @@
-/* test_fish_wave.c -- Tests that the tail of a drawn fish swings as far as the scene says.
+/* test_fish_wave.c -- Tests that the tail of a drawn fish swings as far as the scene specifies.
  *
  * The amplitude is measured in pictures that are drawn from above. */
 #include <setjmp.h>
@@ -30,8 +30,8 @@ static uint8_t empty[PIXELS_SIZE], pixels[PIXELS_SIZE];
 /* Outline of a drawn fish, in pixels. The snout points to the top of the picture. */
 struct outline {
     float top, bottom, left, right; /* Edges of the fish in the picture. */
-    float tail_x, nose_x;           /* Mean x of the last 3 % (tail) and of the first 3 % (nose) of
-                                       the length. */
+    float tail_x, nose_x;           /* Mean x of the tail (last 3 % of the length) and of the nose
+                                       (first 3 %). */
 };
 
 static int open_display(void **state)
@@ -70,7 +70,7 @@ static void stage(float phase_rad, float amplitude, float bend_rad)
     scene.view.aspect_min = 1.0f;
     scene.phase = PHASE_ROUND;
     scene.phase_s = 30.0f;
-    scene.veil = 0.0f; /* Removes the fade-in from black at the start of a session. */
+    scene.veil = 0.0f; /* A veil of 0 removes the fade-in from black at the start of a session. */
     scene.poi[0].present = 0;
     scene.hint = HINT_NONE;
     fish->place = SCENE_ON_POI;
@@ -84,7 +84,8 @@ static void stage(float phase_rad, float amplitude, float bend_rad)
     fish->maturity = 1.0f;
 }
 
-/* Returns 1 if the pixel is redder than in the picture without a fish. Shadows are not redder. */
+/* Returns 1 if the pixel is clearly redder than in the picture without a fish. A shadow is not
+ * redder. */
 static int is_fish(uint32_t x, uint32_t y)
 {
     const size_t at = 3u * ((size_t)y * SIDE_PX + x);
@@ -162,7 +163,7 @@ static void test_a_full_tail_beat_spans_a_fifth_of_the_length(void **state)
     (void)state;
     float tail = 0.0f, nose = 0.0f;
     sweep(1.0f, &tail, &nose);
-    /* In a real fish, the tail moves by a fifth of the body length from side to side (Bainbridge
+    /* The tail of a real fish moves by a fifth of the body length from side to side (Bainbridge
      * 1958). */
     assert_float_equal(tail, 0.20f, 0.02f);
     assert_float_equal(nose, 0.04f, 0.015f);
@@ -171,8 +172,8 @@ static void test_a_full_tail_beat_spans_a_fifth_of_the_length(void **state)
     assert_float_equal(half, 0.5f * tail, 0.015f);
 }
 
-/* A half circle of length 1 would be 0.64 high and 0.32 deep. The fish bends by 2.5 radians, a
- * little less than a half circle, and its tail fin extends beyond the curve. */
+/* A half circle with an arc of length 1 is 0.64 high and 0.32 deep. The fish bends by 2.5 radians,
+ * a little less than a half circle, and its tail fin extends beyond the curve. */
 static void test_a_startle_bends_the_whole_fish_into_a_c(void **state)
 {
     (void)state;
@@ -185,7 +186,8 @@ static void test_a_startle_bends_the_whole_fish_into_a_c(void **state)
     print_message("a C is %.2f lengths high, %.2f deep\n", (double)high, (double)deep);
     assert_true(high < 0.88f && high > 0.60f);
     assert_true(deep > 0.35f && deep < 0.60f);
-    assert_true(off_left > off_right); /* Head and tail are on the left of the middle. */
+    assert_true(off_left > off_right); /* Head and tail lie to the left of the middle of the
+                                          body. */
 }
 
 int main(void)

@@ -12,7 +12,7 @@
 #define S 1000000000ull
 #define MS 1000000ull
 
-/* A simulated machine. `best_ns` is the time of a frame at the best quality, and `hz` is the
+/* A simulated machine. `best_ns` is the duration of a frame at the best quality, and `hz` is the
  * refresh rate of the screen. */
 static struct machine {
     struct governor governor;
@@ -26,8 +26,8 @@ static void begin(uint64_t best_ns, uint32_t hz)
     quality_governor_begin(&machine.governor, hz);
 }
 
-/* Returns the time of a frame at a quality step. A third of the time does not depend on the
- * resolution of the scene. */
+/* Returns the duration of a frame at a quality step. A third of the duration does not depend on the
+ * resolution. */
 static uint64_t cost_ns(uint32_t step)
 {
     const struct quality best = { .scene_scale = 1.0f, .floor_scale = 1.0f, .samples = 1 };
@@ -77,7 +77,7 @@ static void test_the_quality_never_falls_below_the_last_step(void **state)
     begin(200 * MS, 60);
     run(600, true);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
-    begin(900 * MS, 60); /* Each frame takes 900 ms, longer than any quality step can correct. */
+    begin(900 * MS, 60); /* No quality step makes a frame of 900 ms fast enough. */
     run(60, true);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
 }
@@ -90,7 +90,8 @@ static void test_a_higher_quality_is_tried_between_games_with_increasing_delays(
     const uint32_t settled = machine.step;
     assert_true(settled > 0);
     machine.changes = 0;
-    run(3600, false); /* During a game (`may_refine` is false), no higher quality is tried. */
+    run(3600, false); /* During a game (`may_refine` is false), the governor must not try a higher
+                         quality. */
     assert_int_equal(machine.changes, 0);
     const uint32_t late = run(3600, true);
     print_message("an hour: %u changes, %u frames late\n", machine.changes, late);
@@ -110,8 +111,8 @@ static void test_a_low_refresh_rate_does_not_reduce_the_quality(void **state)
     begin(14 * MS, 30);
     run(600, true);
     assert_int_equal(machine.step, 0);
-    begin(6 * MS, 144); /* The game needs 60 frames a second, so a frame may take two refresh
-                           intervals of a 144 Hz screen. */
+    begin(6 * MS, 144); /* A frame of 10 ms takes two refresh intervals of a 144 Hz screen. This is
+                           fast enough, because the game needs only 60 frames a second. */
     machine.best_ns = 10 * MS;
     run(600, true);
     assert_int_equal(machine.step, 0);
@@ -140,7 +141,7 @@ static void test_heat_reduces_the_quality_immediately_and_cooling_restores_it(vo
     }
     run(1, false);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
-    /* A temperature between the limits for hot and cool changes nothing. */
+    /* Values exactly at the limits count neither as hot nor as cool, so they change nothing. */
     quality_governor_set_temperature(&machine.governor, GOVERNOR_HOT_MDEG);
     quality_governor_set_temperature(&machine.governor, GOVERNOR_COOL_MDEG);
     run(1, false);

@@ -1,8 +1,8 @@
-/* test_morph_gl.c -- Compares the fish shapes of the vertex shader with those of morph_shape() on
- * the CPU.
+/* test_morph_gl.c -- Compares the fish shapes that the vertex shader computes with those of
+ * morph_shape() on the CPU.
  *
  * The test covers every built-in species, both levels of detail, every key, nine ages between two
- * keys, and all kinds of graphs. Transform feedback returns the vertices of the shader. */
+ * keys, and all kinds of graphs. OpenGL's transform feedback returns the vertices of the shader. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -22,8 +22,8 @@
 #define BETWEEN 9u
 #define ERROR_MAX 1e-5f  /* Largest allowed position error, in body lengths. */
 #define NORMAL_MAX 1e-3f /* Largest allowed length of the difference of two unit normals. */
-/* Row of the pose table that the shader must read. Row 0 would not detect a shader that ignores the
- * row number. */
+/* Row of the pose table that the shader must read. A row other than 0 is used, so that a shader
+ * that ignores the row number is detected. */
 #define ROW 7u
 
 struct vertex {
@@ -97,7 +97,7 @@ static GLuint program(const char *defines)
     return made;
 }
 
-/* Runs the current shader program over every vertex of the mesh. Returns the mapped feedback
+/* Runs the current shader program for every vertex of the mesh. Returns the results as a mapped
  * buffer, which the caller must unmap. */
 static const struct vertex *capture(uint32_t vertex_count)
 {
@@ -123,8 +123,8 @@ static float distance(const float a[3], vec3 b)
     return v3_length(v3_sub(v3(a[0], a[1], a[2]), b));
 }
 
-/* Returns the largest differences between the vertices of the shader and those of morph_shape() for
- * the same `pose`. */
+/* Returns the largest differences between the shader's vertices and those of morph_shape(). Both
+ * use the same `pose`. */
 static struct error compare(const struct species_mesh *source, uint32_t key_count)
 {
     struct error error = { 0.0f, 0.0f };
@@ -160,8 +160,8 @@ static void worse(struct error *worst, struct error error)
     worst->normal = f_max(worst->normal, error.normal);
 }
 
-/* Compares one mesh at all ages. The pose is in row ROW of a texture if `rows` is true, otherwise
- * in a uniform block. */
+/* Compares one mesh at all ages. If `rows` is true, the pose is in row ROW of a texture. Otherwise
+ * the pose is in a uniform block. */
 static struct error follow(const struct species *species, uint32_t lod, GLuint name, bool rows)
 {
     struct error worst = { 0.0f, 0.0f };
@@ -237,9 +237,9 @@ static void test_a_uniform_block_for_one_fish_gives_the_shape_of_the_cpu(void **
     follow_all(false);
 }
 
-/* The shader supports eight shape keys, but no built-in species has more than five. This test
- * builds eight keys from those of the wakin and shifts each by a different amount. An error in any
- * key's attribute thus changes the shape. */
+/* The shader supports eight shape keys, but no built-in species has more than five. The test builds
+ * eight keys from those of the wakin, and shifts each key by a different amount. An error in the
+ * data of any key thus changes the shape. */
 static void test_eight_keys_are_blended_each_by_its_own_weight(void **state)
 {
     (void)state;
@@ -280,8 +280,8 @@ static void test_eight_keys_are_blended_each_by_its_own_weight(void **state)
     glDeleteProgram(name);
 }
 
-/* Rounds the weights to eight bits. The position error must then exceed ERROR_MAX, which proves
- * that the comparisons above are accurate enough. */
+/* Rounds the weights to eight bits. The position error must then exceed ERROR_MAX. This proves that
+ * the comparisons above detect such small errors. */
 static void test_the_test_detects_weights_of_eight_bits(void **state)
 {
     (void)state;

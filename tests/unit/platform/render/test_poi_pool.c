@@ -1,5 +1,5 @@
-/* test_poi_pool.c -- Tests the water that is drawn on a poi: its level surface, its volume and its
- * position. */
+/* test_poi_pool.c -- Tests the pool of water that is drawn on a poi: its level surface, its volume
+ * and its position. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -33,8 +33,8 @@ static float height_m(const struct scene_poi *poi, float x, float z)
     return v3_add(poi->position_m, vec_basis_to_world(&axes, local)).y;
 }
 
-/* Returns the mean depth of the drawn water over the disc. The test uses its own grid, so that
- * errors of the module do not cancel out. */
+/* Returns the mean depth of the drawn water over the disc. The test samples a grid of its own, so
+ * that it does not repeat errors of the tested module. */
 static float drawn_m(const struct scene_poi *poi, const struct poi_pool *pool)
 {
     double sum = 0.0;
@@ -89,7 +89,8 @@ static void test_the_drawn_volume_equals_the_water_volume_at_any_tilt(void **sta
 static void test_a_tilted_pool_moves_to_the_low_side(void **state)
 {
     (void)state;
-    /* The pitch of 20 degrees raises the far edge. */
+    /* The poi is pitched by 20 degrees, so its far edge is above the level of its pool and its near
+     * edge is below this level. */
     const struct scene_poi poi = poi_with(0.0015f, 20.0f, 0.0f, 0.002f);
     const struct poi_pool pool = poi_pool_of(&poi);
     assert_true(height_m(&poi, 0.0f, -0.9f) > pool.level_m);

@@ -1,5 +1,5 @@
 /* test_renderer.c -- Tests that each element of a scene changes the picture, above and below the
- * water, and that players can distinguish similar elements. */
+ * water. Also tests that players can distinguish similar elements. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -48,8 +48,8 @@ static uint32_t middle(const uint8_t rgb[PIXELS_SIZE], uint32_t colour)
     return sum;
 }
 
-/* Sets up a scene with one fish of 8 cm, pitched up by 45 degrees, with its nose at `nose_y_m`. The
- * camera looks down at the head, 3 mm behind its tip. */
+/* Sets up a scene with one fish of 8 cm that is pitched up by 45 degrees and has its nose at
+ * `nose_y_m`. The camera looks down at a point of the head 3 mm behind the nose. */
 static void show_gulper(float nose_y_m, uint8_t place)
 {
     struct scene_fish *fish = &scene.fish[0];
@@ -60,7 +60,8 @@ static void show_gulper(float nose_y_m, uint8_t place)
     fish->angles = (struct angles){ .pitch_rad = 45.0f * F_DEG };
     fish->length_m = 0.08f;
     fish->place = place;
-    fish->maturity = 0.0f; /* An immature fish is grey, so no colour channel saturates. */
+    fish->maturity = 0.0f; /* An immature fish is grey, so that no colour channel reaches its
+                              maximum. */
     fish->position_m = v3(0.0f, nose_y_m - 0.0283f, 0.0f);
     scene.view.target_m = v3(0.0f, nose_y_m - 0.0021f, -0.0262f);
     scene.view.eye_m = v3(0.0f, nose_y_m + 0.15f, 0.02f);
@@ -75,7 +76,7 @@ static void test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_be
     picture(pixels[1]);
     for (uint32_t colour = 0; colour < 3; colour++) {
         const int32_t off = (int32_t)middle(pixels[0], colour) - (int32_t)middle(pixels[1], colour);
-        /* The sums over 25 pixels may differ by 100, which is a mean of 4 of 255 per pixel. */
+        /* The two sums over 25 pixels may differ by 100, which is 4 of 255 for each pixel. */
         assert_in_range(off + 100, 0, 200);
     }
     show_gulper(-0.03f, SCENE_IN_TANK);
@@ -85,8 +86,8 @@ static void test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_be
     assert_true(middle(pixels[0], 0) > middle(pixels[1], 0) + 25u * 12u);
 }
 
-/* Returns how red the reddest pixel of the middle column is, in rows `top` to `bottom`: 0 if red
- * equals green, 1 without green. */
+/* Returns the redness of the reddest pixel of the middle column in the rows from `top` to `bottom`.
+ * The redness is 0 if red equals green, and 1 if there is no green. */
 static float reddest(const uint8_t rgb[PIXELS_SIZE], uint32_t top, uint32_t bottom)
 {
     float most = 0.0f;
@@ -117,7 +118,7 @@ static float red_in_hand(float age_days)
     return reddest(pixels[0], HEIGHT / 2u - 3u, HEIGHT / 2u + 3u);
 }
 
-/* Returns the redness of a fish on the album page at `age_days`. The fish was caught at
+/* Returns the redness that the album page shows at `age_days` for a fish that was caught at
  * `caught_days`. */
 static float red_in_album(float age_days, float caught_days)
 {
@@ -133,17 +134,18 @@ static float red_in_album(float age_days, float caught_days)
     scene.album.fish[0].age_days = age_days;
     scene.album.fish[0].maturity = scene_maturity(age_days);
     scene.album.fish[0].progress = life_progress(&species_wakin.card, age_days);
-    /* The album marks the day of the catch with a red seal, which is switched off here. */
+    /* Removes the red seal with which the album marks the day of the catch, because only the fish
+     * may be red. */
     scene.album.fish[0].is_caught = 0;
-    /* In 20 frames, the texture of the fish is fully refined. */
+    /* 20 frames are enough to refine the texture of the fish completely. */
     for (uint32_t i = 0; i < 20; i++) {
         picture(pixels[0]);
     }
     return reddest(pixels[0], HEIGHT / 5u, HEIGHT * 3u / 5u);
 }
 
-/* A goldfish turns red between about 60 and 120 days. At each age, the album must show about the
- * same redness as the tank. */
+/* A goldfish turns red between about 60 and 120 days. If it was caught at such an age, the album
+ * must show about the same redness as the tank. */
 static void test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank(void **state)
 {
     (void)state;
@@ -153,7 +155,7 @@ static void test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank(void **s
                       (double)album);
         assert_true(f_abs(tank - album) < 0.20f);
     }
-    /* At 60 days, before the day of its catch, the goldfish is still dark. */
+    /* The fish was caught at 100 days. For the age of 60 days, the album must show it dark. */
     assert_true(red_in_album(60.0f, 100.0f) < 0.35f);
 }
 
@@ -177,8 +179,8 @@ static void show_poi(void)
 
 static uint32_t brightness(const uint8_t rgb[PIXELS_SIZE])
 {
-    /* The weights 3, 6 and 1 of red, green and blue approximate the sensitivity of the human
-     * eye. */
+    /* Returns the brightness. The weights 3, 6 and 1 of red, green and blue approximate the
+     * sensitivity of the human eye. */
     return 3u * middle(rgb, 0) + 6u * middle(rgb, 1) + middle(rgb, 2);
 }
 
@@ -208,7 +210,8 @@ static void test_water_on_a_poi_is_drawn_over_the_paper_only_above_the_surface(v
     picture(pixels[0]);
     scene.poi[0].water_m = 0.002f;
     picture(pixels[1]);
-    /* Picture 1 shows more water on the paper. Water absorbs red light (channel 0). */
+    /* Picture 1 has more water on the paper. Water absorbs red light (channel 0), so the picture is
+     * less red. */
     assert_true(middle(pixels[0], 0) > middle(pixels[1], 0));
     scene.poi[0].position_m.y = -0.04f;
     picture(pixels[1]);
@@ -234,8 +237,8 @@ static void test_players_are_distinguishable_without_colours(void **state)
     for (uint8_t owner = 0; owner < POI_MAX; owner++) {
         show_poi();
         scene.poi[0].owner = owner;
-        /* Removes the paper, so that only the ring remains. The number of white marks on the ring
-         * depends on the player. */
+        /* Removes the paper, so that only the ring is drawn. The ring has a different number of
+         * white marks for each player. */
         memset(scene.poi[0].integrity, 0, sizeof scene.poi[0].integrity);
         picture(pixels[0]);
         const uint32_t white = white_pixels(pixels[0]);

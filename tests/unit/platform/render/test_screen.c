@@ -1,4 +1,4 @@
-/* test_screen.c -- Tests the selection of the graphics card that has a monitor. The numbers of the
+/* test_screen.c -- Tests how the graphics card that has a monitor is selected. The numbers of the
  * cards differ from machine to machine. */
 #include <SDL.h>
 #include <ftw.h>
@@ -117,7 +117,7 @@ static void test_without_connectors_no_card_is_selected(void **state)
     (void)state;
     assert_int_equal(screen_card_find(root), -1);
     put("card0", NULL);
-    put("card0-HDMI-A-1", NULL); /* This connector has no readable status. */
+    put("card0-HDMI-A-1", NULL); /* This connector has no file with its status. */
     put("card-HDMI-A-1", "connected");
     put("card64-HDMI-A-1", "connected");
     put("renderD128", "connected");

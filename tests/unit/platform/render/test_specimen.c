@@ -1,5 +1,5 @@
-/* test_specimen.c -- Tests the geometry of a specimen (a single drawn fish): its position, its
- * bounds, and the texture coordinates of its vertices. */
+/* test_specimen.c -- Tests the geometry of a specimen, which is a single drawn fish: its position,
+ * its bounds, and the texture coordinates of its vertices. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -60,7 +60,8 @@ static void test_the_axes_of_a_rotated_specimen_stay_orthogonal(void **state)
     const struct specimen_axes axes = specimen_axes(&fish);
     const vec3 square = v3_sub(v3_cross(axes.right, axes.up), axes.toward);
     assert_float_equal(v3_length(axes.right), 1.0f, 1e-5f);
-    /* right x up = toward: the axes are right-handed, so the fish is not mirrored. */
+    /* The cross product of right and up is toward, so the axes are right-handed and the fish is not
+     * mirrored. */
     assert_float_equal(v3_length(square), 0.0f, 1e-5f);
 }
 
@@ -119,8 +120,8 @@ static void test_paint_atlas_at_inverts_paint_atlas_find(void **state)
     assert_true(count > 3000u);
 }
 
-/* Texture filtering reads up to half a texel around a point. Near the edge of a part, filtering
- * must read only texels of that part. */
+/* Texture filtering reads up to half a texel around a point. Near the edge of a part, it must not
+ * read texels of another part. */
 static void test_no_vertex_lies_within_half_a_texel_of_another_part(void **state)
 {
     (void)state;

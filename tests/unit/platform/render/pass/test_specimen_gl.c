@@ -1,5 +1,6 @@
-/* test_specimen_gl.c -- Tests drawn specimens (single fish on the pages of the lab and the album):
- * all species, their textures, and the slots of textures on the GPU. */
+/* test_specimen_gl.c -- Tests the drawing of specimens, which are single fish on the pages of the
+ * lab and the album. The tests cover all species, their textures, and the texture slots on the
+ * GPU. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -78,7 +79,8 @@ static bool is_ground(const uint8_t *pixel, uint8_t grey)
     return pixel[0] == grey && pixel[1] == grey && pixel[2] == grey;
 }
 
-/* Returns the pixel at which a point of the fish is drawn. The point is in body lengths. */
+/* Returns the pixel at which a point of the fish is drawn. The unit of `point` is the body
+ * length. */
 static const uint8_t *pixel_at(const uint8_t pixels[SIZE], const struct specimen *fish, vec3 point)
 {
     float at[2];
@@ -102,7 +104,8 @@ static void test_every_species_is_drawn_inside_its_box_at_every_age(void **state
                 drawn += !is_ground(pictures[0] + p * 4u, 0);
                 assert_true(!edge || is_ground(pictures[0] + p * 4u, 0));
             }
-            /* Even the thinnest fish, an eel of 280 x 10 pixels, covers more than 500 pixels. */
+            /* The thinnest fish is an eel of 280 x 10 pixels, and even this fish covers more than
+             * 500 pixels. */
             assert_true(drawn > 500u);
         }
     }
@@ -139,11 +142,11 @@ static void test_a_mature_goldfish_has_its_pattern_and_a_young_one_its_coat(void
     (void)state;
     struct specimen fish = fish_of(&species_wakin, 1.0f);
     const vec3 flank = v3(0.0f, 0.05f, -0.02f);
-    fish.look = 15u << 8u; /* This pattern is white except for the root of the tail. */
+    fish.look = 15u << 8u; /* In this pattern, only the root of the tail is not white. */
     picture(pictures[0], &fish, 0.0f);
     const uint8_t *pixel = pixel_at(pictures[0], &fish, flank);
-    assert_true(pixel[0] > 2 * pixel[1]); /* A fish that is not mature has the red colour of its
-                                             species. */
+    assert_true(pixel[0] > 2 * pixel[1]); /* The fish is not mature yet, so it has the red colour of
+                                             its species. */
     fish.ripe = fish.maturity = 1.0f;
     picture(pictures[0], &fish, 0.0f);
     assert_true(pixel[1] > 140 && pixel[2] > 120);
@@ -187,7 +190,8 @@ static void test_a_specimen_is_drawn_over_any_previous_depth(void **state)
     struct specimen fish = fish_of(&species_wakin, 1.0f);
     picture(pictures[0], &fish, 0.0f);
     gl_target_bind(&target);
-    glClearDepthf(0.0f); /* Clears the depth buffer to 0, in front of any fish. */
+    glClearDepthf(0.0f); /* A depth of 0 is in front of every fish, but the fish must be drawn all
+                            the same. */
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glClearDepthf(1.0f);
     specimen_pass_draw(&pass, &fish, &whole);
@@ -228,7 +232,7 @@ static void test_a_changed_species_in_the_same_memory_is_repainted(void **state)
     straight.edition = 0;
     straight.progress = (float)species_table[2]->card.thesis_key[2] /
                         (float)(species_table[2]->card.key_count - 1u);
-    picture(pictures[0], &straight, 0.3f); /* At a key, the thesis variant has the same shape as the
+    picture(pictures[0], &straight, 0.3f); /* At a key, the linear morph has the same shape as the
                                               species. */
     uint32_t off = 0;
     for (uint32_t i = 0; i < SIZE; i++) {
@@ -278,8 +282,8 @@ static void test_the_texture_of_a_key_matches_paint_at(void **state)
     }
     glDeleteFramebuffers(1, &framebuffer);
     print_message("%u of %u texels are means of four points\n", off, count);
-    assert_true(off < count / 8u); /* Texels at the edges of parts are means of four points, so only
-                                      these texels may differ. */
+    assert_true(off < count / 8u); /* A texel at the edge of a part is the mean of four points, so
+                                      only such texels may differ. */
 }
 
 static uint32_t empty_slots(void)
@@ -326,7 +330,7 @@ static const struct fish_texture *skin_of(const struct species *species)
     return NULL;
 }
 
-/* Draws a page like that of the lab: one large fish, and a thumbnail of each key. */
+/* Draws a page with one large fish and a thumbnail of each key, as the lab does. */
 static void draw_page(const struct species *species)
 {
     const struct specimen fish = fish_of(species, 0.37f);
@@ -339,8 +343,9 @@ static void draw_page(const struct species *species)
     }
 }
 
-/* Counts the texture bands that are painted until the texture of the large fish is fine. Bands of
- * the last frame are not counted, because this frame may also paint other textures. */
+/* Returns the number of texture bands that are painted until the large fish has its fine texture.
+ * The bands of the last frame are not counted, because some of them may belong to other
+ * textures. */
 static uint32_t bands_to_fine(const struct species *species)
 {
     draw_page(species);
@@ -355,8 +360,8 @@ static uint32_t bands_to_fine(const struct species *species)
     return painted - begun;
 }
 
-/* While the texture of the large fish is not fine, only the two textures for its age may be
- * refined. The textures of other keys must wait. */
+/* The large fish needs the two textures for its age. Until both are fine, the textures of other
+ * keys must not be refined. */
 static void test_the_visible_texture_is_refined_first(void **state)
 {
     (void)state;
@@ -408,7 +413,7 @@ static void test_the_ordinary_morph_has_the_texture_of_its_species(void **state)
     assert_ptr_equal(worn, &pass.slots[3].skin);
 }
 
-/* The coarse texture is interpolated. Without interpolation, each sample would be visible as a
+/* The coarse texture must be interpolated. Otherwise each of its samples would be visible as a
  * block. */
 static void test_the_coarse_texture_shows_no_blocks(void **state)
 {
@@ -433,13 +438,13 @@ static void test_the_coarse_texture_shows_no_blocks(void **state)
         steepest = step > steepest ? step : -step > steepest ? -step : steepest;
     }
     print_message("steepest step from texel to texel: %d of 255\n", steepest);
-    /* The coarse texture has a sample in every fourth texel. With interpolation, neighbouring
-     * texels therefore differ by at most a quarter of 255. */
+    /* The coarse texture has a sample in every fourth texel. Interpolated texels therefore differ
+     * from their neighbours by at most a quarter of 255. */
     assert_true(steepest <= 64);
 }
 
-/* The weights of a computed graph may be negative. paint_at() treats a negative weight as 0, so the
- * selection of textures must do the same. */
+/* A computed graph may have negative weights, which paint_at() treats as 0. The selection of
+ * textures must do the same. */
 static void test_a_negative_weight_selects_no_texture(void **state)
 {
     (void)state;
@@ -455,8 +460,8 @@ static void test_a_negative_weight_selects_no_texture(void **state)
     }
 }
 
-/* A leptocephalus (larva of an eel) has 60 muscle lines on 0.9 of its length. The fish is drawn so
- * large that a line is 5 pixels wide and a texel 9 pixels. The lines must still be sharp. */
+/* A leptocephalus (larva of an eel) has 60 muscle lines on 0.9 of its length. At this size, a line
+ * is 5 pixels wide and a texel 9 pixels. The lines must nevertheless be sharp. */
 static void test_the_muscle_lines_of_a_leptocephalus_are_sharp(void **state)
 {
     (void)state;
@@ -476,7 +481,7 @@ static void test_the_muscle_lines_of_a_leptocephalus_are_sharp(void **state)
     }
     const float expected = (float)WIDTH / length_px * 60.0f / 0.9f;
     print_message("%u lines, %.1f expected\n", lines, (double)expected);
-    /* The tolerance is needed because the texture coordinate u is not exactly uniform along the
+    /* The tolerance allows for the texture coordinate u, which is not exactly uniform along the
      * body. */
     assert_true(f_abs((float)lines - expected) <= 2.5f);
 }

@@ -75,7 +75,7 @@ static void test_the_lab_fits_every_screen_with_every_species(void **state)
             core.game.lab.layer = variant & 4u ? LAB_LAYER_SIZE : 1;
             core.game.language = (uint8_t)(variant % LANGUAGE_COUNT);
             core.game.lab.has_hand = 1;
-            /* The drawn poi is in the middle, because a poi near the edge may extend beyond the
+            /* Holds the poi in the middle, because a drawn poi near the edge may extend beyond the
              * screen. */
             core.game.lab.x = core.game.lab.y = 400.0f;
             lay_out(size[0], size[1]);
@@ -85,8 +85,7 @@ static void test_the_lab_fits_every_screen_with_every_species(void **state)
         }
     }
     print_message("the longest screen has %u quads of %u\n", longest, UI_QUADS_MAX);
-    /* A margin of 200 quads is left for curves with twelve knots and for languages with longer
-     * words. */
+    /* 200 quads must be left for curves with twelve knots and for languages with longer words. */
     assert_in_range(longest, 1, UI_QUADS_MAX - 200u);
 }
 
@@ -117,7 +116,7 @@ static void point_at(struct layout_point at, int down)
     tick();
 }
 
-/* Each knot of the selected curve must be drawn as a dot, and a press on the centre of the dot must
+/* Each knot of the selected curve must be drawn as a dot. A press on the centre of the dot must
  * select the knot. */
 static void test_every_knot_is_selected_at_its_drawn_position(void **state)
 {
@@ -156,7 +155,7 @@ static void test_the_lab_fish_stays_between_stage_and_ruler(void **state)
         const float *size = sizes[k % SIZE_COUNT];
         take((uint32_t)(k / SIZE_COUNT));
         core.game.lab.progress = 1.0f;
-        /* While the paths of points are shown, the fish does not swim, so that its position is
+        /* While the lab shows the paths of points, the fish does not swim, so its position is
          * constant. */
         core.game.lab.path = 1;
         core.game.lab.compare = k % 2u == 1u;
@@ -187,8 +186,8 @@ static void test_the_lab_fish_stays_between_stage_and_ruler(void **state)
     }
 }
 
-/* The recording contains a species that this kiosk does not have. The lab can show its graph but no
- * fish. */
+/* The recording contains a species that this kiosk does not have. The lab can then show the graph
+ * of the species, but no fish. */
 static void test_an_unknown_species_has_a_graph_and_no_fish(void **state)
 {
     (void)state;
@@ -204,9 +203,9 @@ static void test_an_unknown_species_has_a_graph_and_no_fish(void **state)
     assert_int_equal(batch.specimen_count, 0);
 }
 
-/* The library's slot of the recorded species has the same species (`other` is 0), another species
- * (1), or the same id with another number of keys (2). A fish may be drawn only if the species is
- * the same. */
+/* The recorded species was in a slot of the library. The slot now has the same species (`other` is
+ * 0), another species (1), or a species with the same id and another number of keys (2). Only in
+ * the first case may the fish be drawn. */
 static void test_only_the_recorded_species_is_shown(void **state)
 {
     (void)state;
@@ -251,7 +250,7 @@ static uint32_t letters_in(const char *words)
     return count;
 }
 
-/* The lab shows several texts in turn: the use of the controller, the number of rejected files, and
+/* The lab shows several texts in turn: how to use the controller, the number of rejected files, and
  * each rejected file with its reason. */
 static void test_each_rejected_file_is_shown_with_its_reason(void **state)
 {
@@ -283,8 +282,8 @@ static void test_each_rejected_file_is_shown_with_its_reason(void **state)
                 seen |= letters == letters_in(fault.file) + letters_in(fault.why) ? 1u << i : 0u;
             }
         }
-        /* All three files must be shown. A portrait screen that is exactly as high as the page has
-         * no room for the texts. */
+        /* All three files must have been shown. Only a portrait screen that is exactly as high as
+         * the page has no room for the texts. */
         assert_true(seen == 7u || (seen == 0u && width < height));
     }
     core.game.tick = start;
@@ -323,8 +322,8 @@ static void test_an_edited_knot_changes_the_path_of_a_point(void **state)
     assert_true(v3_length(v3_sub(before, after)) > 1e-3f);
 }
 
-/* The bow of a path is its largest distance from the infinite line through its two ends. `kingyoctl
- * morph path` measures the bow in the same way. */
+/* The bow of a path is its largest distance from the infinite line through the two ends of the
+ * path. `kingyoctl morph path` uses the same definition. */
 static void test_the_bow_is_measured_from_the_infinite_line(void **state)
 {
     (void)state;
@@ -390,8 +389,8 @@ static void test_each_album_fish_has_its_pattern_from_the_tank(void **state)
     assert_int_not_equal(batch.specimens[0].look, batch.specimens[1].look);
 }
 
-/* An album fish has its full adult pattern at the age of its catch, and no pattern as a
- * hatchling. */
+/* At the age of its catch, an album fish has its full adult pattern. As a hatchling, the fish has
+ * no pattern. */
 static void test_an_album_fish_looks_on_its_catch_day_as_in_the_tank(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_ui_lab_preview.c -- Tests that the lab and `kingyoctl morph check` report the same bow,
- * which is the distance of a point's path from a straight line. */
+/* test_ui_lab_preview.c -- Tests that the lab and `kingyoctl morph check` report the same bow of a
+ * path. The bow is the largest distance of the path from a straight line. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,7 +11,8 @@
 #include "platform/render/ui/lab/ui_lab_preview.h"
 #include "platform/species/part.h"
 
-/* Largest rounding error between two computations of the same point, in body lengths. */
+/* Largest difference that rounding causes between two computations of the same point, in body
+ * lengths. */
 #define SAME 1e-5f
 
 static struct ui_lab_preview bench;
@@ -38,8 +39,8 @@ static void test_the_lab_and_morph_check_report_the_same_bow(void **state)
     }
 }
 
-/* v3_from_line() returns the perpendicular distance to the infinite line, also for a point beyond
- * the ends. If both ends are equal, v3_from_line() returns the distance to that point. */
+/* v3_from_line() returns the perpendicular distance to the infinite line, even for a point beyond
+ * the two ends. If the two ends are equal, the function returns the distance to them. */
 static void test_the_bow_is_measured_from_an_infinite_line_or_a_point(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_ui_menu.c -- Tests the drawn operator menu in both languages. Each page must fit every
- * screen and be readable from one metre. */
+/* test_ui_menu.c -- Tests how the operator's menu is drawn in both languages. Each page must fit
+ * every screen and be readable from one metre. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -30,7 +30,7 @@ static struct scene scene;
 static struct ui_batch batch;
 static struct ui_memory memory;
 
-/* Fills the data about the devices with the longest names and the largest values. */
+/* Fills the data about devices with the longest names and the largest values that can occur. */
 static void fill_devices(struct scene_devices *devices)
 {
     memset(devices->about, 'W', sizeof devices->about);
@@ -147,7 +147,7 @@ static void test_every_menu_page_fits_the_screen(void **state)
                          (uint8_t)(k / (SIZE_COUNT * MENU_PAGE_COUNT)), is_upright(size));
                 scene.menu.controllers.learn_step = step;
                 memset(scene.menu.audit, 0xff, sizeof scene.menu.audit);
-                scene.tick += 37u * step; /* Lays out each step at another time of the
+                scene.tick += 37u * step; /* Each step is drawn at another moment of the
                                              animations. */
                 lay_out(size);
                 expect_inside(size);
@@ -156,9 +156,9 @@ static void test_every_menu_page_fits_the_screen(void **state)
     }
 }
 
-/* A 24-inch screen is 30 cm high, so a letter of 2.4 % of the height is 7 mm high: 25 arc minutes
- * from 1 m. The test uses a short device name, because long names are drawn smaller. The letters of
- * the test card are not text. */
+/* A 24-inch screen is 30 cm high, so a letter of 2.4 % of this height is 7 mm high, which is 25 arc
+ * minutes seen from 1 m. The device name is short, because long names are drawn smaller. The
+ * letters on the test card are not text. */
 static void test_every_menu_word_is_readable_from_one_metre(void **state)
 {
     (void)state;
@@ -197,7 +197,8 @@ static void test_a_board_is_drawn_for_each_present_controller(void **state)
         set_page(MENU_CONTROLLERS, (uint16_t)(1u << ROWS_BACK | ((1u << there) - 1u)), 0, 0);
         lay_out(0);
         const uint32_t boards = count_kind(UI_WOOD);
-        /* The additional wooden board is the menu item that returns to the previous page. */
+        /* A board is drawn behind each menu item. The additional board belongs to the item that
+         * returns to the previous page. */
         assert_int_equal(boards, there + 1u);
         assert_true(there == 0 || boards > before);
         before = boards;
@@ -301,7 +302,8 @@ static void test_a_lamp_is_lit_for_each_pressed_button(void **state)
         assert_int_equal(lit_lamps(), i);
         held = held << 1 | 1u;
     }
-    scene.menu.coin_s = 0.0f; /* A coin is inserted, so the lamp of the coin slot is lit too. */
+    scene.menu.coin_s = 0.0f; /* A coin has just been inserted, so the lamp of the coin slot is lit
+                                 too. */
     lay_out(0);
     assert_int_equal(lit_lamps(), INPUT_BUTTON_COUNT + 1u);
 }
@@ -358,7 +360,7 @@ static void test_the_state_of_the_lines_is_complete_and_readable_from_one_metre(
 }
 
 /* A window manager may ignore the minimum size of the window, so each page must be laid out at any
- * size. */
+ * window size. */
 static void test_every_page_is_laid_out_in_a_window_of_any_size(void **state)
 {
     (void)state;
@@ -372,7 +374,7 @@ static void test_every_page_is_laid_out_in_a_window_of_any_size(void **state)
         assert_int_equal(batch.dropped_count, 0);
     }
     for (uint8_t phase = 0; phase <= PHASE_LEADERBOARD; phase++) {
-        /* The page of the lab needs a fish, which this scene does not have. */
+        /* The page of the lab is left out, because it needs a fish and this scene has none. */
         for (uint32_t k = 0; k < count * count && phase != PHASE_LAB; k++) {
             scene.phase = phase;
             ui_screens(&batch, &memory, &scene, sides[k % count], sides[k / count]);
