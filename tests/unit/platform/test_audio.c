@@ -1,5 +1,5 @@
-/* test_audio.c -- Tests the sound output: sounds reach the device, and a kiosk without a sound
- * device continues without sound. */
+/* test_audio.c -- Tests the sound output. Sounds must reach the device, and a kiosk without a sound
+ * device must continue without sound. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -31,7 +31,7 @@ static int close_after(void **state)
     return 0;
 }
 
-/* Returns the largest absolute sample value in a file of 16-bit samples. 0 means silence. */
+/* Returns the largest absolute sample value in a file of 16-bit samples, which is 0 for silence. */
 static int loudest(const char *path)
 {
     int16_t samples[1024];
@@ -47,8 +47,8 @@ static int loudest(const char *path)
     return peak;
 }
 
-/* Plays a sound if `play_something` is 1. Returns the largest sample value of the output, which
- * SDL's `disk` driver writes to a file. */
+/* Opens the sound output, and plays a sound if `play_something` is 1. Returns the largest sample
+ * value in the file to which SDL's `disk` driver writes the output. */
 static int heard_through_sdl(int play_something)
 {
     char path[] = "/tmp/kingyo-sound-XXXXXX";
@@ -94,8 +94,8 @@ static void test_a_missing_sound_device_gives_a_one_line_message(void **state)
     assert_int_equal(device.ops->play(device.self, &event), HAL_ERR_ABSENT);
 }
 
-/* Without a driver, open() fails. Until a file for a sound card appears in `cards`, open() must
- * fail again without a call to SDL. */
+/* The first open() fails, because there is no driver. Further calls must fail without a call to SDL
+ * until the file of a sound card appears in the folder `cards`. */
 static void test_a_sound_card_plugged_in_later_is_opened_without_useless_attempts(void **state)
 {
     (void)state;
@@ -105,13 +105,13 @@ static void test_a_sound_card_plugged_in_later_is_opened_without_useless_attempt
     setenv("SDL_AUDIODRIVER", "nonesuch", 1);
     const struct hal_audio device = audio_device(&audio);
     assert_int_equal(device.ops->open(device.self), HAL_ERR_ABSENT);
-    /* From now on SDL would find a driver, but the folder `cards` has not changed. */
+    /* SDL would find a driver from now on, but the folder `cards` has not changed. */
     setenv("SDL_AUDIODRIVER", "dummy", 1);
     for (uint32_t i = 0; i < 1000; i++) {
         assert_int_equal(device.ops->open(device.self), HAL_ERR_ABSENT);
     }
-    /* Waits 20 ms, so that the change below gets a later time. File systems may count in steps of
-     * 10 ms. */
+    /* The file system may store times in steps of 10 ms. After 20 ms, the change below certainly
+     * gets a later time. */
     SDL_Delay(20);
     snprintf(card, sizeof card, "%s/pcmC0D0p", cards);
     fclose(fopen(card, "w"));
@@ -129,7 +129,8 @@ static void test_a_sound_server_started_later_is_used_within_ten_seconds(void **
     assert_int_equal(device.ops->open(device.self), HAL_ERR_ABSENT);
     setenv("SDL_AUDIODRIVER", "dummy", 1);
     assert_int_equal(device.ops->open(device.self), HAL_ERR_ABSENT);
-    audio.tried_ns -= AUDIO_TRY_S * 1000000000ull; /* Skips the delay before the next attempt. */
+    audio.tried_ns -= AUDIO_TRY_S * 1000000000ull; /* Moves the last attempt into the past, so that
+                                                      the next attempt is due. */
     assert_int_equal(device.ops->open(device.self), HAL_OK);
 }
 
@@ -140,7 +141,7 @@ static void test_a_sound_card_that_requests_no_data_never_blocks_a_frame(void **
     const struct hal_audio device = audio_device(&audio);
     assert_int_equal(device.ops->open(device.self), HAL_OK);
     SDL_PauseAudioDevice(audio.device, 1);
-    SDL_Delay(50); /* Waits until SDL has finished its last request for samples. */
+    SDL_Delay(50); /* After 50 ms, SDL has finished its last request for samples. */
     const struct sound_event event = { .sound = SOUND_DIP, .gain = 1.0f };
     for (uint32_t i = 0; i < AUDIO_QUEUE_MAX; i++) {
         assert_int_equal(device.ops->play(device.self, &event), HAL_OK);

@@ -1,4 +1,4 @@
-/* test_panic_count.c -- Tests the count of panics, which decides whether the next start omits
+/* test_panic_count.c -- Tests the count of panics, which decides whether the next start leaves out
  * stored data. A count file with any content must be handled. */
 #include <errno.h>
 #include <fcntl.h>
@@ -170,7 +170,8 @@ static void test_a_count_file_with_any_wrong_byte_or_size_is_rejected(void **sta
     assert_int_equal(panics_read(&read, folder), 0);
 }
 
-static int rename_error; /* errno that each call of renameat() sets, or 0 if renameat() succeeds. */
+static int rename_error; /* errno that each call of renameat() sets, or 0 if renameat()
+                            succeeds. */
 
 int renameat(int from, const char *name, int to, const char *other)
 {

@@ -1,4 +1,4 @@
-/* test_setting_text.c -- Tests the conversion of settings to text and back, as in kingyo.conf. */
+/* test_setting_text.c -- Tests how settings are converted to text and back, as in kingyo.conf. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

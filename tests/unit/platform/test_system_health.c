@@ -1,4 +1,4 @@
-/* test_system_health.c -- Tests the data about the machine that the operator's menu shows: storage,
+/* test_system_health.c -- Tests the state of the machine that the operator's menu shows: storage,
  * backup, clock, temperature and quarantined files. Files in a temporary folder simulate the
  * machine. */
 #include <setjmp.h>
@@ -20,8 +20,8 @@
 static char root[64], checked[96], heat[96];
 static time_t calendar_ahead_s, monotonic_ahead_s;
 
-/* Replaces the function of the C library. The test can set the calendar and the monotonic clock
- * ahead. */
+/* Replaces the function of the C library, so that a test can set the calendar and the monotonic
+ * clock ahead. */
 int clock_gettime(clockid_t clock, struct timespec *out)
 {
     const int result = (int)syscall(SYS_clock_gettime, clock, out);
@@ -70,7 +70,7 @@ static struct scene_machine look(struct system_health *machine)
     struct scene_machine says = { .watch = WATCH_DEAF, .missed = 3 };
     system_health_sample(machine, &says);
     assert_int_equal(says.is_checked, 1);
-    /* The frame loop sets `watch` and `missed`, so a sample must not change them. */
+    /* `watch` and `missed` belong to the frame loop, so a sample must not change them. */
     assert_int_equal(says.watch, WATCH_DEAF);
     assert_int_equal(says.missed, 3);
     return says;
@@ -85,8 +85,8 @@ static void test_the_board_check_reports_whether_data_persist(void **state)
     assert_int_equal(look(&machine).keeps, KEEPS_FOLDER);
     write_file("checked", "kept: /dev/mmcblk0p3, ext4; start 7 of this disk, ...\n");
     assert_int_equal(look(&machine).keeps, KEEPS_PROVEN);
-    /* The file `checked` concerns only the data folder of the kiosk, and `memory` has another
-     * folder. */
+    /* `memory` describes a kiosk with another data folder, for which the file `checked` is not
+     * valid. */
     assert_int_equal(look(&memory).keeps, KEEPS_MEMORY);
     write_file("checked", "not kept: /dev/loop0 is memory\n");
     assert_int_equal(look(&machine).keeps, KEEPS_NOT);
@@ -106,8 +106,9 @@ static void test_the_backup_age_uses_the_monotonic_clock(void **state)
     write_file("kingyo.db.backup", "x");
     assert_int_equal(look(&machine).has_backup, 1);
     assert_int_equal(look(&machine).backup_min, 0);
-    calendar_ahead_s = 40 * 365 * 86400; /* The calendar jumps ahead, as when the network time is
-                                            set. */
+    calendar_ahead_s = 40 * 365 * 86400; /* The calendar jumps ahead by 40 years, as when the
+                                            network time is set. The age of the backup must not
+                                            jump. */
     assert_int_equal(look(&machine).backup_min, 0);
     monotonic_ahead_s = 61 * 60;
     assert_int_equal(look(&machine).backup_min, 61);
@@ -115,7 +116,7 @@ static void test_the_backup_age_uses_the_monotonic_clock(void **state)
     char from[160], to[160];
     snprintf(from, sizeof from, "%s/kingyo.db.backup.new", root);
     snprintf(to, sizeof to, "%s/kingyo.db.backup", root);
-    /* A new backup replaces the old one, so its age is 0 again. */
+    /* A new backup has replaced the old one, so the age of the backup is 0 again. */
     assert_int_equal(rename(from, to), 0);
     assert_int_equal(look(&machine).backup_min, 0);
 }
@@ -135,13 +136,14 @@ static void test_a_clock_older_than_the_files_was_set_back(void **state)
     (void)state;
     write_file("kingyo.db", "x");
     assert_int_equal(look(&machine).is_clock_back, 0);
-    /* One hour back is no error, because it may be the end of daylight saving time. */
+    /* A clock that is set back by one hour is no error, because this happens at the end of daylight
+     * saving time. */
     calendar_ahead_s = -3600;
     assert_int_equal(look(&machine).is_clock_back, 0);
     calendar_ahead_s = -86400;
     assert_int_equal(look(&later).is_clock_back, 1);
-    /* A file that is written now has the wrong time too, but the first check has already found the
-     * error. */
+    /* This file is written with the wrong time too. The error must still be reported, because an
+     * earlier check has found it. */
     write_file("kingyo.db", "xx");
     assert_int_equal(look(&later).is_clock_back, 1);
     calendar_ahead_s = 0;
@@ -169,10 +171,10 @@ static void test_a_quarantined_file_is_counted_until_acknowledged(void **state)
     struct system_health machine = machine_here();
     (void)state;
     write_file("kingyo.db.damaged-1", "x");
-    /* A log belongs to its quarantined database and is not counted. */
+    /* This log belongs to the quarantined database 1, so it must not be counted. */
     write_file("kingyo.db.damaged-1-wal", "x");
     write_file("kingyo.db.damaged-2", "x");
-    /* A name without a number is not counted, because Kingyo never creates such a file. */
+    /* This name has no number, so it must not be counted. Kingyo never creates such a file. */
     write_file("kingyo.db.damaged-", "x");
     assert_int_equal(look(&machine).aside, 2);
     assert_int_equal(system_health_mark_seen(&machine), 0);
@@ -193,8 +195,8 @@ static void test_a_quarantined_file_is_counted_until_acknowledged(void **state)
 static int is_told(struct system_health *machine, uint32_t aside)
 {
     struct scene_machine says = { .watch = WATCH_FED };
-    /* Waits up to 5 s, which is less than the interval of the checks. The thread must therefore
-     * check at once. */
+    /* The interval of the checks is longer than the 5 s of this loop. The test therefore passes
+     * only if the thread checks at once. */
     for (uint32_t i = 0; i < 500u; i++) {
         system_health_read(machine, &says);
         if (says.is_checked && says.aside == aside) {
@@ -212,20 +214,21 @@ static void test_the_health_thread_does_all_file_access_of_the_frame_loop(void *
     (void)state;
     write_file("kingyo.db.damaged-1", "x");
     machine = machine_here();
-    system_health_read(&machine, &says); /* The thread has not been started, so there are no values
-                                            yet. */
+    system_health_read(&machine, &says); /* The thread has not been started, so nothing has been
+                                            checked yet. */
     assert_int_equal(says.is_checked, 0);
     system_health_start(&machine);
     assert_true(is_told(&machine, 1));
     system_health_acknowledge(&machine);
     assert_true(is_told(&machine, 0));
-    /* While the thread has the lock, system_health_read() must not block and must leave the values
-     * unchanged. */
+    /* The test holds the lock, as the thread does from time to time. system_health_read() must
+     * return at once and leave the values unchanged. */
     pthread_mutex_lock(&machine.lock);
     says = (struct scene_machine){ .room_mib = 77 };
     system_health_read(&machine, &says);
     assert_int_equal(says.room_mib, 77);
-    system_health_acknowledge(&machine); /* system_health_acknowledge() must not block either. */
+    system_health_acknowledge(&machine); /* system_health_acknowledge() must not block while the
+                                            lock is held. */
     pthread_mutex_unlock(&machine.lock);
     system_health_stop(&machine);
     assert_true(system_health_is_seen(root, "kingyo.db.damaged-1"));

@@ -1,5 +1,5 @@
-/* test_thermal.c -- Tests the thermal margin: the degrees left until the processor throttles. Files
- * in a temporary folder simulate the sensors. */
+/* test_thermal.c -- Tests the thermal margin, which is the number of degrees left until the
+ * processor is throttled. Files in a temporary folder simulate the sensors. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +19,7 @@
 static char root[64];
 static time_t calendar_is_ahead_s;
 
-/* Replaces the function of the C library. The test can set the calendar ahead. */
+/* Replaces the function of the C library, so that a test can set the calendar ahead. */
 int clock_gettime(clockid_t clock, struct timespec *out)
 {
     const int result = (int)syscall(SYS_clock_gettime, clock, out);
@@ -71,8 +71,8 @@ static void test_a_passive_trip_point_of_the_zone_is_the_throttle_limit(void **s
     zone(0, "trip_point_0_temp", "95000\n");
     zone(0, "trip_point_1_type", "passive\n");
     zone(0, "trip_point_1_temp", "85000\n");
-    zone(0, "trip_point_2_type", "active\n"); /* An active trip point starts a fan and is not a
-                                                 throttle limit. */
+    zone(0, "trip_point_2_type", "active\n"); /* A trip point of the type "active" only starts a
+                                                 fan, so it is not a limit for the margin. */
     zone(0, "trip_point_2_temp", "50000\n");
     assert_int_equal(thermal_read(root), 15000);
 }
@@ -111,13 +111,14 @@ static void test_the_thermal_thread_reads_the_sensor_and_stops_immediately(void 
         usleep(10000);
     }
     assert_int_equal(atomic_load(&thermal.margin_mdeg), 50000);
-    thermal_stop(&thermal); /* The stop must not wait for the next reading, five seconds later. */
+    thermal_stop(&thermal); /* The next reading is due in five seconds, but the stop must not wait
+                               for it. */
     thermal_stop(&thermal);
     assert_false(thermal.runs);
 }
 
-/* On a board without a clock battery, the calendar may be far ahead until the network time is set.
- * The thread must continue to read the temperature. */
+/* Without a clock battery, the calendar of a board may be far ahead until the network time sets it
+ * back. The thread must read the temperature in the meantime and afterwards. */
 static void test_a_clock_set_back_does_not_delay_the_temperature(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_watchdog.c -- Tests the watchdog messages to the service manager (systemd) and their
- * rate. */
+/* test_watchdog.c -- Tests the messages that the kiosk sends to the watchdog of the service manager
+ * (systemd), and their rate. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,8 +17,8 @@
 
 #define MS 1000000ull
 
-/* Opens a socket that stands for the service manager. `name` is an abstract socket name, which
- * begins with "@". */
+/* Opens a socket in place of the service manager's. `name` is an abstract socket name, which begins
+ * with "@". */
 static int listen_as(const char *name)
 {
     struct sockaddr_un address = { .sun_family = AF_UNIX };
@@ -52,8 +52,8 @@ static void test_ready_is_sent_once_and_kicks_several_times_per_deadline(void **
     assert_string_equal(heard(fd), "READY=1");
     assert_int_equal(device.ops->watches(device.self), WATCH_FED);
     uint32_t kicks = 0;
-    /* Runs frames for ten seconds. The service manager expects a message every two seconds, so one
-     * message every half second is enough. */
+    /* Runs frames for ten seconds. The service manager expects a message at least every two
+     * seconds, and the kiosk sends one every half second. */
     for (uint32_t i = 0; i < 600; i++) {
         clock.now_ns += 16666667;
         device.ops->kick(device.self);
@@ -61,7 +61,7 @@ static void test_ready_is_sent_once_and_kicks_several_times_per_deadline(void **
     }
     assert_in_range(kicks, 18, 20);
     close(fd);
-    device.ops->kick(device.self); /* A missing service manager must not be an error. */
+    device.ops->kick(device.self); /* Without a service manager, a kick must not cause an error. */
     clock.now_ns += 10000 * MS;
     device.ops->kick(device.self);
     assert_int_equal(device.ops->watches(device.self), WATCH_DEAF);
@@ -79,7 +79,7 @@ static void test_ready_is_sent_again_if_the_service_manager_was_busy(void **stat
     const int fd = listen_as(name);
     assert_int_equal(watchdog_init(&watchdog, sim_clock_device(&clock), name, 2000000), HAL_OK);
     const struct hal_watchdog device = watchdog_device(&watchdog);
-    /* Fills the queue of the service manager. */
+    /* Fills the queue of the service manager's socket, so that a message cannot be sent. */
     while (send(watchdog.socket_fd, "x", 1, MSG_NOSIGNAL) == 1) {
     }
     device.ops->kick(device.self);

@@ -1,5 +1,5 @@
-/* test_replay.c -- Tests the files of recordings: all inputs are restored, and damaged or altered
- * recordings are rejected. */
+/* test_replay.c -- Tests the files of recordings. All inputs must be restored, and damaged or
+ * altered recordings must be rejected. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -173,8 +173,8 @@ static void test_data_after_the_end_mark_are_rejected(void **state)
     assert_int_equal(reader.problem.offset, size);
 }
 
-/* Returns the offset of the chunk with the first second. The header, the initial state and its
- * checksum precede the chunk. */
+/* Returns the offset of the first second of recorded inputs. The header, the initial state and a
+ * checksum precede it. */
 static size_t first_second(const uint8_t *bytes)
 {
     return REPLAY_HEADER_SIZE + replay_get_u32(bytes + HEADER_START) + REPLAY_SUM_SIZE;
@@ -197,7 +197,7 @@ static void test_swapped_seconds_are_rejected(void **state)
     memcpy(swapped + first + second_size, bytes + first, first_size);
     write_file(swapped, size);
     assert_int_equal(scan(&totals), -1);
-    /* Removes the first second from the file. The file must be rejected again. */
+    /* The file has lost its first second, so it must be rejected again. */
     memcpy(swapped, bytes, first);
     memcpy(swapped + first, bytes + first + first_size, size - first - first_size);
     write_file(swapped, size - first_size);
@@ -236,7 +236,7 @@ static void test_a_recording_of_a_different_version_is_reported(void **state)
     write_file(bytes, size);
     assert_int_equal(scan(&totals), -1);
     assert_non_null(strstr(reader.problem.text, "version 10"));
-    /* Every old version that this program cannot read must be named in the message. */
+    /* For each old version that this program cannot read, the message must name the version. */
     for (uint8_t old = 1; old < REPLAY_VERSION_MIN; old++) {
         char says[REPLAY_PROBLEM_SIZE];
         bytes[8] = old;

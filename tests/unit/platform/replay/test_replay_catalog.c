@@ -1,5 +1,5 @@
-/* test_replay_catalog.c -- Tests the catalog in a recording, which contains the loaded species and
- * the edited graphs of the growth lab. */
+/* test_replay_catalog.c -- Tests the catalog in a recording, which contains the species that were
+ * loaded from files and the graphs that were edited in the growth lab. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -79,14 +79,14 @@ static void test_an_altered_catalog_is_rejected_unless_valid(void **state)
         const size_t cut = i % 4u == 0 ? bits % size : size;
         const int believed = replay_catalog_decode(&back, altered, cut);
         refused += believed == 0;
-        assert_true(lab_book_is_valid(&back)); /* If decoding fails, the catalog must be empty,
-                                                  which is valid too. */
+        assert_true(lab_book_is_valid(&back)); /* After a failed decoding, the catalog must be
+                                                  empty, and an empty catalog is valid. */
     }
     assert_true(refused > 150);
 }
 
-/* Returns pseudorandom input for the growth lab. The poi moves, dips and presses controls. From
- * time to time the screen is rotated and a graph is saved. */
+/* Returns pseudorandom input for the growth lab. The poi moves, dips and presses controls. In some
+ * ticks the screen is rotated or a graph is saved. */
 static struct input hands(uint32_t tick)
 {
     const uint32_t bits = rng_u32((struct rng_key){ 9, tick / 20u, 0, RNG_TEST });

@@ -1,5 +1,5 @@
-/* test_replay_codec.c -- Tests the encoding of inputs in a recording as differences from the
- * previous tick. Decoding must restore every bit, and the encoding must have the minimum length. */
+/* test_replay_codec.c -- Tests how the inputs of a recording are encoded as differences from the
+ * previous tick. Decoding must restore every bit, and the encoding must be as short as possible. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -55,8 +55,8 @@ static void test_the_largest_difference_fits_the_bound(void **state)
     assert_int_equal(replay_encode_input(&before, &all, bytes), REPLAY_TICK_SIZE_MAX - 4u);
 }
 
-/* The seven bytes are a mask of the changed groups, a mask of the changed pois and fans, a mask of
- * the changed fields, and a float. */
+/* The seven bytes are three masks and a float. The masks name the changed groups of fields, the
+ * changed pois and fans, and the changed fields of the fan. */
 static void test_a_moving_fan_takes_seven_bytes_per_tick(void **state)
 {
     (void)state;
@@ -78,12 +78,13 @@ static void test_an_invalid_fan_encoding_is_rejected(void **state)
     enum { HANDS = 1 << 4, SHADE_0 = 1 << 4, BYTE = 1, X = 2, NO_SUCH = 16 };
     static const uint8_t inf[4] = { 0, 0, 0x80, 0x7f };
     const uint8_t refused[][8] = {
-        { HANDS, 0 },          /* The mask names the group of pois and fans, but no poi and no
-                                  fan. */
-        { HANDS, SHADE_0, 0 }, /* The mask names the first fan, but no field of the fan. */
-        /* A fan has three floats, so the bit for a fourth float is invalid. */
+        { HANDS, 0 },          /* Invalid: the mask of groups names the pois and fans, but their own
+                                  mask names none of them. */
+        { HANDS, SHADE_0, 0 }, /* Invalid: the mask names the first fan, but the mask of its fields
+                                  is empty. */
+        /* Invalid: a fan has three floats, and the bit stands for a fourth one. */
         { HANDS, SHADE_0, NO_SUCH },
-        { HANDS, SHADE_0, BYTE, 2 }, /* `present` may only be 0 or 1. */
+        { HANDS, SHADE_0, BYTE, 2 }, /* Invalid: `present` may only be 0 or 1, not 2. */
         { HANDS, SHADE_0, X, inf[0], inf[1], inf[2], inf[3] },
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
@@ -132,15 +133,17 @@ static void test_an_invalid_system_health_encoding_is_rejected(void **state)
     (void)state;
     enum { MACHINE = 1 << 3, BEYOND = 1 << 6, LEVELS = 1 << 2, MINUTE = 1 << 4, NO_SUCH = 1 << 7 };
     const uint8_t refused[][4] = {
-        { MACHINE, 0, 0, 0 },         /* The mask names the group of machine values, but no field of
-                                         the group. */
-        { MACHINE, NO_SUCH, 1, 0 },   /* The group of machine values has no field for this bit. */
-        { BEYOND, 1, 0, 0 },          /* The input has no group for this bit. */
-        { MACHINE, LEVELS, 8, 0 },    /* The levels have no bit 3 (value 8). */
-        { MACHINE, LEVELS, 0, 0 },    /* The mask names the levels, but their new value is the old
-                                         one. */
-        { MACHINE, MINUTE, 0xa0, 5 }, /* 0x5a0 is minute 1440, but the last minute of a day is
-                                         1439. */
+        { MACHINE, 0, 0, 0 },         /* Invalid: the mask names the group of machine values, but
+                                         the mask of its fields is empty. */
+        { MACHINE, NO_SUCH, 1, 0 },   /* Invalid: the group of machine values has no field for this
+                                         bit. */
+        { BEYOND, 1, 0, 0 },          /* Invalid: an input has no group for this bit. */
+        { MACHINE, LEVELS, 8, 0 },    /* Invalid: the levels have only the bits 0 to 2, so 8 (bit 3)
+                                         is no level. */
+        { MACHINE, LEVELS, 0, 0 },    /* Invalid: the mask names the levels as changed, but their
+                                         value is the old one. */
+        { MACHINE, MINUTE, 0xa0, 5 }, /* Invalid: 0x5a0 is minute 1440, but the last minute of a day
+                                         is 1439. */
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };
@@ -211,14 +214,16 @@ static void test_an_invalid_controller_list_encoding_is_rejected(void **state)
     (void)state;
     enum { DESK = 1 << 5, STEP = 1, ROW = 2, BEYOND = 16 };
     const uint8_t refused[][4] = {
-        { DESK, 0, 0, 0 }, /* The mask names the controller list, but no field of the list. */
-        /* CONTROLLER_STATE_COUNT is not a valid state of a controller. */
+        { DESK, 0, 0, 0 }, /* Invalid: the mask names the controller list, but the mask of its
+                              fields is empty. */
+        /* Invalid: CONTROLLER_STATE_COUNT is one more than the last state of a controller. */
         { DESK, 1, 0, CONTROLLER_STATE_COUNT },
-        { DESK, 0, STEP, LEARN_STEP_COUNT }, /* LEARN_STEP_COUNT is one more than the last valid
-                                                step. */
-        { DESK, 0, ROW, CONTROLLER_MAX },    /* CONTROLLER_MAX is one more than the last valid
+        { DESK, 0, STEP, LEARN_STEP_COUNT }, /* Invalid: LEARN_STEP_COUNT is one more than the last
+                                                step of the learning. */
+        { DESK, 0, ROW, CONTROLLER_MAX },    /* Invalid: CONTROLLER_MAX is one more than the last
                                                 row. */
-        { DESK, 0, BEYOND, 1 },              /* The controller list has no field for this bit. */
+        { DESK, 0, BEYOND, 1 },              /* Invalid: the controller list has no field for this
+                                                bit. */
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };
@@ -235,8 +240,8 @@ static uint32_t draw(uint32_t tick, uint32_t what)
     return rng_u32((struct rng_key){ 5, tick, what, RNG_TEST });
 }
 
-/* A faulty sensor may report any bits, for example NaN. The core has validated these bits, so a
- * replay must restore the same bits. */
+/* A faulty sensor may report any bit pattern, for example NaN. The core has validated exactly this
+ * pattern, so a replay must restore it. */
 static void test_any_bit_pattern_of_a_pose_is_restored(void **state)
 {
     (void)state;
@@ -247,7 +252,7 @@ static void test_any_bit_pattern_of_a_pose_is_restored(void **state)
         struct poi_input *poi = &input.poi[draw(tick, 0) % POI_MAX];
         uint32_t bits[6];
         for (uint32_t i = 0; i < 6; i++) {
-            /* In half of the ticks, the exponents are those of NaN or infinity. */
+            /* In half of the ticks, the exponent of each float is that of NaN or infinity. */
             bits[i] = draw(tick, i + 1u) | (draw(tick, 9) % 2u ? 0x7f800000u : 0u);
         }
         memcpy(&poi->target, bits, sizeof poi->target);
@@ -284,8 +289,9 @@ static void test_an_invalid_poi_encoding_is_rejected(void **state)
     (void)state;
     enum { HANDS = 1 << 4, POI_0 = 1, BYTE = 1, TREMBLES = 8, GAP = 16 };
     const uint8_t refused[][8] = {
-        { HANDS, POI_0, 0 }, /* The mask names the first poi, but no field of the poi. */
-        /* The status byte of a poi uses only the bits 0 to 4, so bit 5 (32) is invalid. */
+        { HANDS, POI_0, 0 }, /* Invalid: the mask names the first poi, but the mask of its fields is
+                                empty. */
+        /* Invalid: the status byte of a poi has only the bits 0 to 4, and 32 is bit 5. */
         { HANDS, POI_0, BYTE, 32 },
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {

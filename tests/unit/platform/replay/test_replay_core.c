@@ -1,5 +1,5 @@
 /* test_replay_core.c -- Tests recordings of a running core. A replay must reproduce every tick,
- * also after a signal or a panic, and must report the first difference. */
+ * even if a signal or a panic ended the recording, and must report the first difference. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -26,8 +26,8 @@ static struct core core;
 static struct recorder recorder;
 static struct replayer replayer;
 
-/* Returns the input of a fan that appears after two seconds, moves over the water, moves aside and
- * disappears. */
+/* Returns the input of a fan. The fan appears after two seconds, moves over the water, moves aside
+ * and disappears. */
 static struct shade_input fan_at(uint32_t tick)
 {
     const float t = (float)tick / (float)CORE_TICK_HZ;
@@ -39,8 +39,8 @@ static struct shade_input fan_at(uint32_t tick)
     };
 }
 
-/* Plays `seconds` with the bot, which presses START after one second, and records the ticks. From
- * the tick `lie_at`, the recorded digests are false. */
+/* Records `seconds` in which the bot plays, with a press of START after one second. From tick
+ * `lie_at` on, the recorded digests are wrong. */
 static void play_and_record(uint32_t seconds, uint32_t lie_at)
 {
     static struct output output;
@@ -139,8 +139,8 @@ static void test_a_recording_of_the_operator_menu_verifies(void **state)
     assert_true(core_hash(&core) == hash);
 }
 
-/* After 3 s, START has been pressed, but the countdown of the round still runs. The round is
- * counted, but the recording has no mode and no player yet. After 5 s, the first player plays a
+/* START is pressed in the first second. After 3 s the countdown of the round still runs: the round
+ * is counted, but the recording has no mode and no player yet. After 5 s, the first player plays a
  * festival round. */
 static void test_a_recording_contains_its_modes_and_players(void **state)
 {
@@ -156,8 +156,8 @@ static void test_a_recording_contains_its_modes_and_players(void **state)
     assert_int_equal(replayer.reader.totals.players, 1);
 }
 
-/* The totals of a recording are the sums over all rounds. A smaller value of a player means that a
- * new round has begun. */
+/* The totals of a recording are sums over all its rounds. The counts of a player restart at 0 in
+ * each round, so a smaller count means that a new round has begun. */
 static void test_counts_rise_with_the_scores_and_restart_with_a_round(void **state)
 {
     static const uint32_t caught[] = { 0, 2, 2, 0, 1 }, fouls[] = { 1, 1, 3, 0, 1 };
@@ -185,8 +185,8 @@ static void test_the_first_different_tick_is_reported(void **state)
     assert_true(replayer.difference.recorded != replayer.difference.computed);
 }
 
-/* After a panic in a tick, the recording must contain the input of that tick. The state in the
- * middle of a tick is not hashed. */
+/* After a panic in the middle of a tick, the recording must contain the input of this tick. The
+ * tick has no digest, because the state is incomplete. */
 static void test_a_recording_ended_by_a_panic_reproduces_the_panic(void **state)
 {
     static struct output output;
@@ -204,7 +204,7 @@ static void test_a_recording_ended_by_a_panic_reproduces_the_panic(void **state)
     }
     input.pressed = INPUT_LANGUAGE;
     tap.before(tap.self, &input);
-    /* Makes the state incomplete, as in the middle of a tick. */
+    /* Overwrites the state, as a panic in the middle of a tick leaves it incomplete. */
     memset(&core.game, 0xff, sizeof core.game);
     assert_int_equal(recorder_end_in_panic(&recorder), 0);
     assert_int_equal(scan(&totals), 0);
@@ -213,12 +213,12 @@ static void test_a_recording_ended_by_a_panic_reproduces_the_panic(void **state)
     replay_all();
     assert_int_equal(core.game.tick, 151);
     assert_int_equal(core.game.language, LANGUAGE_EN);
-    /* In the replay the tick ends normally, so its state differs from the recording. */
+    /* The replay completes the tick, so its state differs from the recorded one. */
     assert_int_equal(replayer.difference.found, 1);
     assert_int_equal(replayer.difference.tick, 150);
 }
 
-/* Records `count` complete ticks, and the input of one more tick that does not end. */
+/* Records `count` complete ticks, and the input of one more tick that is not completed. */
 static void record_into_a_tick(uint32_t count)
 {
     static struct output output;
@@ -256,7 +256,7 @@ static void test_a_signal_during_a_write_leaves_a_recording_of_whole_seconds(voi
     (void)state;
     record_into_a_tick(150);
     recorder.is_in_tick = 0;
-    /* Simulates a panic in the call with which the recorder adds a tick. */
+    /* Simulates a panic while the recorder writes a tick. */
     recorder.is_adding = 1;
     assert_int_equal(recorder_end_in_panic(&recorder), -EINTR);
     assert_int_equal(scan(&totals), 0);

@@ -71,7 +71,7 @@ static void test_a_format_8_recording_reproduces_its_hashes(void **state)
     assert_int_equal(core.game.accounts.audits.count[AUDIT_REFUNDS], 1);
 }
 
-/* Replaying a recording under the rules of another format must give a difference. */
+/* A recording that is replayed under the rules of another format must show a difference. */
 static void test_an_older_recording_differs_under_the_rules_of_another_format(void **state)
 {
     (void)state;

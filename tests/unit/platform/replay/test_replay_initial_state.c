@@ -1,5 +1,5 @@
-/* test_replay_initial_state.c -- Tests the encoding of the initial state in a recording: exact to
- * the bit, compact, and validated. */
+/* test_replay_initial_state.c -- Tests how the initial state is encoded in a recording. Decoding
+ * must restore every bit, the encoding must be compact, and an invalid state must be rejected. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -20,7 +20,8 @@ static uint32_t draw(uint32_t at, uint32_t what)
     return rng_u32((struct rng_key){ 11, at, what, RNG_TEST });
 }
 
-/* Fills a struct that contains only numbers with random bytes. */
+/* Fills a struct with random bytes. The struct contains only numbers, so all its values are valid
+ * for C. */
 static void scatter(void *at, size_t size, uint32_t what)
 {
     uint8_t *to = at;
@@ -38,15 +39,15 @@ static void fill_ranking(struct ranking *ranking)
             row->seat %= POI_MAX;
             row->round_id %= LEDGER_ID_MAX;
             for (uint32_t k = 0; k < LEDGER_NAME_SIZE; k++) {
-                row->name[k] |= (char)0x80; /* Sets the highest bit, so that the name has no control
-                                               character. */
+                row->name[k] |= (char)0x80; /* The highest bit is set, so no character of the name
+                                               is a control character. */
             }
             row->name[LEDGER_NAME_SIZE - 1u] = '\0';
         }
     }
 }
 
-/* Reduces the random numbers of a balance to valid values. */
+/* Limits the random numbers of a balance to the valid range. */
 static void limit_balance(struct balance *balance)
 {
     uint32_t *const counts[] = { &balance->units, &balance->bonus_units, &balance->paid,
@@ -108,7 +109,7 @@ static void fill(void)
     }
 }
 
-/* Comparing the state hashes compares every member of every struct (see test_core_hash.c). */
+/* Equal state hashes mean that every member of every struct is equal (see test_core_hash.c). */
 static void test_the_largest_initial_state_is_restored_bit_for_bit(void **state)
 {
     (void)state;
@@ -127,7 +128,7 @@ static void test_an_empty_initial_state_takes_few_bytes(void **state)
 {
     (void)state;
     const struct core_config fresh = { .seed = 7, .fish_count = 12 };
-    /* core_init() sets all settings to their defaults. */
+    /* core_init() has set all settings to their defaults, so the encoding must be short. */
     assert_int_equal(core_init(&core, &fresh), CORE_OK);
     const size_t size = replay_initial_state_encode(&core.config, bytes);
     assert_in_range(size, 10, 80);
@@ -143,7 +144,8 @@ static void test_a_truncated_or_extended_initial_state_is_rejected(void **state)
     for (size_t cut = 0; cut < size; cut++) {
         assert_int_equal(replay_initial_state_decode(&back, bytes, cut, REPLAY_VERSION), 0);
     }
-    bytes[size] = 128; /* Adds a byte that encodes two zero bytes more than the state has. */
+    bytes[size] = 128; /* The additional byte encodes two zero bytes, which make the decoded state
+                          too long. */
     assert_int_equal(replay_initial_state_decode(&back, bytes, size + 1u, REPLAY_VERSION), 0);
 }
 
@@ -157,7 +159,7 @@ static void test_an_invalid_initial_state_is_rejected(void **state)
     /* Each byte 0xff encodes 129 zero bytes, so the encoded state is much too long. */
     memset(bytes, 0xff, sizeof bytes);
     assert_int_equal(replay_initial_state_decode(&back, bytes, sizeof bytes, REPLAY_VERSION), 0);
-    memset(bytes, 0x41, sizeof bytes); /* Names in this state have no terminating zero. */
+    memset(bytes, 0x41, sizeof bytes); /* With this content, the names have no terminating zero. */
     for (size_t i = 0; i < sizeof bytes; i += 129) {
         bytes[i] = 127;
     }

@@ -71,7 +71,8 @@ static void test_full_memory_ends_a_recording_that_stays_complete(void **state)
     (void)state;
     struct replay_totals totals;
     write_memory(500, sizeof memory);
-    /* The exact size of the recording of 500 ticks. One byte less must end the recording. */
+    /* `whole` is the exact size of the recording of 500 ticks. With one byte less, the recording
+     * must end early. */
     const size_t whole = (size_t)writer.offset + REPLAY_END_SIZE;
     write_memory(500, whole);
     assert_true(replay_is_open(&writer));

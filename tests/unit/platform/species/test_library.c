@@ -1,5 +1,5 @@
-/* test_library.c -- Tests the library of species files in the data folder. Each file is loaded in
- * order, or rejected with a reason. */
+/* test_library.c -- Tests the library, which loads the species files of the data folder. Each file
+ * must be loaded in order, or be rejected with a reason. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -97,7 +97,7 @@ static void test_an_invalid_file_gives_a_message_and_uses_no_slot(void **state)
     put_text("b.kfish", "KFISH");
     put_species("c.kfish", "good");
     assert_int_equal(mkdir(path_of("d.kfish"), 0755), 0);
-    /* A FIFO without a writer must not block the open. */
+    /* The FIFO has no writer, but opening it must not block. */
     assert_int_equal(mkfifo(path_of("e.kfish"), 0644), 0);
     assert_int_equal(symlink("/dev/zero", path_of("f.kfish")), 0);
     library_fill(&library, data);
@@ -140,7 +140,7 @@ static void test_a_file_in_place_of_the_species_folder_is_reported(void **state)
     char place[64];
     snprintf(place, sizeof place, "%s/species", data);
     assert_int_equal(rmdir(place), 0);
-    /* Creates a file at the path of the folder for species. */
+    /* A regular file is at the path of the folder for species. */
     FILE *out = fopen(place, "w");
     assert_non_null(out);
     fclose(out);

@@ -1,5 +1,5 @@
-/* test_loft.c -- Tests the loft, which converts the description of a fish (outlines, eyes, fins) to
- * a mesh. */
+/* test_loft.c -- Tests the module `loft`, which converts the text description of a fish (outlines,
+ * eyes, fins) to a mesh. */
 #include "platform/species/shape.h"
 #include "tests/unit/support/species_text.h"
 
@@ -25,8 +25,8 @@ static const struct loft *lofted(const char *head, const char *more, const char 
     return &loft;
 }
 
-/* Returns the size of a key shape, computed from the mesh alone. Each species defines what is
- * measured, for example the total length. The size must be 1. */
+/* Returns the size of a key shape. The size is computed from the mesh alone, as the species defines
+ * it (for example as total length), and must be 1. */
 static float measured(const struct species *s, const vec3 *at, const struct species_mesh *mesh)
 {
     float front = 9.0f, rear = -9.0f, right = -9.0f, left = 9.0f, fork = -9.0f, root = -9.0f;
@@ -64,13 +64,14 @@ static void test_every_key_of_every_species_has_measure_1(void **state)
             static struct morph_pose pose;
             morph_key_pose(&s->lod[0], s->card.key_count, key, &pose);
             morph_shape(&s->lod[0], s->card.key_count, &pose, at, NULL);
-            /* The tolerance is needed because the largest extent may lie between two vertices. */
+            /* The tolerance is needed because the outermost point of a shape may lie between two
+             * vertices. */
             assert_float_equal(measured(s, at, &s->lod[0]), 1.0f, 0.01f);
         }
     }
 }
 
-/* The two lobes of the tail must reach equally far to the right and to the left. */
+/* The tail must extend equally far to the right and to the left. */
 static void test_every_tail_is_symmetric(void **state)
 {
     (void)state;
@@ -100,7 +101,8 @@ static void test_a_tail_root_is_rounded_off(void **state)
     const float there = (round.z - back.z) / (point.z - back.z);
     const float left = (round.y - point.y) / (back.y - point.y);
     assert_in_range((uint32_t)(100.0f * there), 40, 80);
-    /* The ring between the body and the tip lies outside the cone from the body to the tip. */
+    /* On a straight cone from the body to the tip, `left` would be 1 - `there`. The rounded root
+     * must lie outside this cone. */
     assert_true(left > 1.15f * (1.0f - there));
     assert_float_equal(there * there + left * left, 1.0f, 0.01f);
 }
@@ -122,10 +124,10 @@ static void test_rings_advance_to_the_tail_root_and_are_denser_in_curved_outline
     }
     assert_float_equal(before, 1.0f, 0.0f);
     assert_true(at_gill);
-    assert_true(head_gap < 0.25f * widest); /* Rings are denser at the snout, which is more curved
-                                               than the flank. */
-    assert_true(widest < 0.16f);            /* The largest gap is limited, because a swimming body
-                                               bends everywhere. */
+    assert_true(head_gap < 0.25f * widest); /* The snout is more curved than the flank, so rings are
+                                               denser there. */
+    assert_true(widest < 0.16f);            /* No gap may be large, because a swimming body bends
+                                               everywhere. */
 }
 
 static void test_body_coordinates_keep_the_gill_cover_at_its_drawn_position(void **state)
@@ -173,11 +175,12 @@ static void test_a_migrating_eye_moves_over_the_back_to_the_other_flank(void **s
                       left = shape_eye_ball(&text->keys[0], 1);
     assert_true(own.v > 0.1 && own.v < 0.3);
     assert_float_equal((float)top.v, 0.0f, 1e-6f);
-    /* The migrated eye is at the place of the left eye. Values of v wrap around at 1. */
+    /* After the migration, the eye must be at the place of the left eye. v wraps around at 1, so
+     * the two values may differ by 1. */
     assert_float_equal((float)(other.v + 1.0), (float)left.v, 1e-6f);
 }
 
-/* A bulge of 0.5 means that the eye protrudes by half of its diameter, 0.08. */
+/* A bulge of 0.5 means that the eye protrudes by half of its diameter. The diameter is 0.08. */
 static void test_an_eye_protrudes_by_its_bulge(void **state)
 {
     (void)state;
@@ -193,11 +196,12 @@ static void test_eyes_of_a_thin_head_do_not_intersect(void **state)
     (void)state;
     struct species_text *text = drawn("", "", "template smooth\n");
     for (uint32_t i = 0; i < text->keys[0].substep_count; i++) {
-        /* The body is as thin as that of a leptocephalus (an eel larva). */
+        /* The body becomes as thin as that of a leptocephalus (larva of an eel). */
         text->keys[0].stations[i].width = 0.010f;
     }
     const struct ball ball = shape_eye_ball(&text->keys[0], 0);
-    /* Each eye must end before the middle plane, at half of the width of 0.01. */
+    /* Half of the width is 0.005. Each eye must end there, so that the eyes of both sides do not
+     * touch. */
     assert_true(ball.sunk + ball.in < 0.005);
 }
 
@@ -232,8 +236,8 @@ static void test_confluent_fins_end_at_the_tail_edges(void **state)
     }
 }
 
-/* Two curves cover the same parts, so each gets half of 255. Rounding both up to 128 would exceed
- * 255. */
+/* Two curves cover the same area, so each curve gets half of 255. If both halves were rounded up to
+ * 128, their sum would exceed 255. */
 static void test_masks_that_round_up_together_still_sum_to_255(void **state)
 {
     (void)state;
@@ -263,7 +267,7 @@ static void test_masks_sum_to_255_and_are_continuous(void **state)
         assert_true(v->part != PART_EYE || v->mask[1] == 255);
         assert_true(v->part != PART_DORSAL || v->mask[2] == 255);
         assert_true(v->part != PART_ANAL || v->mask[0] == 255);
-        /* At the root of the tail fin (v = 0), curve 2 has no influence. */
+        /* At its root (v = 0), the tail fin is not influenced by curve 2. */
         assert_true(v->part != PART_TAIL || v->v > 0.0f || v->mask[2] == 0);
         assert_true(v->part != PART_TAIL || v->v < 1.0f || v->mask[2] == 255);
         assert_true(v->part != PART_BODY || v->u > 0.2f || v->mask[1] == 255);

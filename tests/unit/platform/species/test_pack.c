@@ -1,5 +1,5 @@
-/* test_pack.c -- Tests packed species files. A written file must be read back unchanged, and an
- * invalid file must be rejected. */
+/* test_pack.c -- Tests packed species files. A written file must be read back unchanged. An invalid
+ * file must be rejected. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,7 +14,7 @@
 #include <cmocka.h>
 
 #include "core/morph/morph.h"
-/* Includes the source file, so that a test can call its static crc32(). */
+/* The source file is included, so that a test can call its static function crc32(). */
 #include "platform/species/pack.c"
 
 static struct species_slot slot, other;
@@ -122,7 +122,7 @@ static void harm_id(struct species_slot *s)
 {
     card_of(s)->id[0] = '/';
 }
-/* Names are printed in tables and pictures, so a control character in a name is an error. */
+/* A control character in a name is an error, because names are printed in tables and pictures. */
 static void harm_id_escape(struct species_slot *s)
 {
     card_of(s)->id[1] = '\x1b';
@@ -209,8 +209,8 @@ static void harm_negative(struct species_slot *s)
 }
 static void harm_solved(struct species_slot *s)
 {
-    /* In an ordinary graph, only the first and the last key have weights, which is invalid for a
-     * computed (solved) graph. */
+    /* Marks an ordinary graph as computed (solved). The marked graph is invalid, because it gives
+     * weights only to the first and the last key. */
     struct graph *graph = &card_of(s)->curves[0];
     graph_from_template(graph, TEMPLATE_ORDINARY, card_of(s)->key_count, SIMULTANEOUS_PEAK);
     graph->solved = 1;
@@ -274,7 +274,7 @@ static void harm_size(struct species_slot *s)
     }
 }
 
-/* ---- Life: the age and length of each key must match the growth curve ---------------------- */
+/* ---- Growth: the age and length of each key must match the growth curve --------------------- */
 
 static void harm_late(struct species_slot *s)
 {
@@ -308,7 +308,7 @@ static void harm_scale_end(struct species_slot *s)
     draw_scale(s, 0.0f, 0.5f, 0.9f);
 }
 
-/* ---- Skin: its vertices must form a grid, which the core asserts --------------------------- */
+/* ---- Body surface: its vertices must form a grid, as the core requires ---------------------- */
 
 static struct species_vertex *skin_of(struct species_slot *s)
 {
@@ -372,12 +372,13 @@ static void harm_anchor_place(struct species_slot *s)
     s->tables[0].anchors[0].u[2] = NAN;
 }
 
-/* ---- Size: the size of each key must be 1 ------------------------------------------------------
+/* ---- Size: the size of each key must be 1 -----------------------------------------------------
  *
  * The species defines how the size of a key is measured (enum species_measure). The functions below
  * change the size of the last key and keep its snout in place. */
 
-/* Scales the last key from its snout backwards by `along`, and its width by `across`. */
+/* Multiplies the last key by `along` in length, from the snout backwards, and by `across` in
+ * width. */
 static void stretch(struct species_slot *s, float along, float across)
 {
     const uint32_t key = card_of(s)->key_count - 1u;
@@ -526,14 +527,14 @@ static void test_too_large_counts_are_rejected_before_reading(void **state)
     (void)state;
     const size_t size = packed_wakin();
     assert_int_equal(bytes[HEAD_SIZE + SPECIES_NAME_SIZE], species_wakin.card.key_count);
-    /* The number of keys is the byte behind the id. */
+    /* The byte behind the id is the number of keys. */
     bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 255;
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
     assert_string_equal(why, "crc: the checksum is wrong, so the file is damaged");
     mend_crc(size);
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
     assert_string_equal(why, "keys: more than a species may have");
-    /* With fewer keys, all following data are read at wrong positions. */
+    /* With fewer keys than the file contains, all following data are read at wrong positions. */
     bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 3;
     mend_crc(size);
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
@@ -579,7 +580,7 @@ static void test_a_non_regular_file_is_an_io_error_and_not_a_data_error(void **s
     assert_string_equal(why, "No such file or directory");
     assert_int_equal(pack_read("/tmp", &other, why), PACK_IO);
     assert_string_equal(why, "Is a directory");
-    /* /dev/zero never ends, so the reader must reject the file without reading it. */
+    /* /dev/zero has no end, so it must be rejected before it is read. */
     assert_int_equal(pack_read("/dev/zero", &other, why), PACK_IO);
     packed_wakin();
     assert_int_equal(pack_write("/nowhere/x.kfish", &slot, why), PACK_IO);
@@ -594,7 +595,7 @@ static void test_writing_does_not_replace_devices_and_links(void **state)
     snprintf(path, sizeof path, "%s/x.kfish", folder);
     snprintf(link, sizeof link, "%s/link.kfish", folder);
     packed_wakin();
-    /* The FIFO stands for a device such as /dev/full, which must not be replaced. */
+    /* The FIFO stands for a device such as /dev/full. A write must not replace it. */
     assert_int_equal(mkfifo(path, 0600), 0);
     assert_int_equal(pack_write(path, &slot, why), PACK_IO);
     assert_int_equal(lstat(path, &status), 0);
@@ -606,7 +607,7 @@ static void test_writing_does_not_replace_devices_and_links(void **state)
     assert_int_equal(pack_write(link, &slot, why), PACK_OK);
     assert_int_equal(lstat(link, &status), 0);
     assert_true(S_ISLNK(status.st_mode));
-    /* The write has changed the target of the link. */
+    /* The write through the link has changed the target of the link. */
     assert_int_equal(pack_read(path, &other, why), PACK_OK);
     assert_int_equal(pack_read(link, &other, why), PACK_OK);
     assert_int_equal(pack_read_data(path, &other, why), PACK_OK);

@@ -1,4 +1,4 @@
-/* test_species_text.c -- Tests the reader of species texts (descriptions of fish) with valid and
+/* test_species_text.c -- Tests the parser of species texts, which describe fish, with valid and
  * invalid texts. */
 #include "platform/species/text.h"
 #include "tests/unit/support/species_text.h"
@@ -94,7 +94,7 @@ static void test_counts_beyond_their_maximum_are_rejected(void **state)
                    "more than 24 words");
 }
 
-/* Reads the example between the first code fences of the manual page. */
+/* Reads the example from the manual page, which stands between the first code fences. */
 static void test_the_example_of_the_manual_is_valid(void **state)
 {
     (void)state;

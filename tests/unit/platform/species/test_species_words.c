@@ -1,5 +1,5 @@
-/* test_species_words.c -- Tests each keyword of a species text: the value that it sets and its
- * errors. */
+/* test_species_words.c -- Tests each keyword of a species text: the value that the keyword sets,
+ * and the errors that are reported. */
 #include "platform/species/text.h"
 #include "tests/unit/support/species_text.h"
 

@@ -1,5 +1,5 @@
-/* test_graph_file.c -- Tests the graph files of the growth lab. A graph must be restored bit for
- * bit, or the error must be reported in one line. */
+/* test_graph_file.c -- Tests the files in which the growth lab stores edited graphs. A graph must
+ * be restored bit for bit. Otherwise the error must be reported in one line. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -52,7 +52,7 @@ static int teardown(void **state)
     return system(command);
 }
 
-/* Returns a graph whose numbers have many digits, so that rounding errors would be detected. */
+/* Returns a graph with numbers of many digits, so that a rounding error would be detected. */
 static struct graph_edit_record drawn(void)
 {
     struct graph_edit_record record = { .id = 3, .key_count = card->key_count };
@@ -125,7 +125,7 @@ static void test_resetting_a_graph_to_the_species_default_deletes_its_file(void 
     assert_int_equal(graph_file_write(folder, &record), 0);
     record.is_own = 1;
     assert_int_equal(graph_file_write(folder, &record), 0);
-    /* A second reset must not fail, although the file no longer exists. */
+    /* The first reset has deleted the file. A second reset must not fail. */
     assert_int_equal(graph_file_write(folder, &record), 0);
     graph_file_load(folder, &book, warn);
     assert_int_equal(book.has_edit[0], 0);
@@ -200,15 +200,15 @@ static void test_each_graph_error_is_reported_with_its_line(void **state)
     snprintf(text, sizeof text, "%s" ENDS "end\n", head);
     char *solved = strstr(text, "solved 0");
     solved[7] = '1';
-    /* In this graph, the second key has nearly no weight at any age, which is an error for a
-     * computed (solved) graph. */
+    /* The graph is now marked as computed (solved). For such a graph it is an error that the second
+     * key has nearly no weight at any age. */
     assert_int_equal(parse(text, &edit, why), 0);
     snprintf(head, sizeof head, "the key '%s' is hardly seen", card->key_names[1]);
     assert_non_null(strstr(why, head));
     solved[7] = '0';
     const size_t size = strlen(text);
     assert_int_equal(graph_file_parse(text, size, card, &edit, why), 1);
-    text[size - 5u] = 0; /* Replaces a newline by a zero byte. */
+    text[size - 5u] = 0; /* Puts a zero byte in the place of a newline. */
     assert_int_equal(graph_file_parse(text, size, card, &edit, why), 0);
     assert_non_null(strstr(why, "8: not a text"));
     assert_int_equal(parse("", &edit, why), 0);
@@ -224,7 +224,7 @@ static void test_each_graph_error_is_reported_with_its_line(void **state)
 }
 
 /* Changes a random byte of the file, and sometimes truncates the file. The parser must then return
- * a valid graph, or a reason and an unchanged `edit`. */
+ * a valid graph. Otherwise it must return a reason and leave `edit` unchanged. */
 static void test_an_altered_graph_file_is_rejected_unless_valid(void **state)
 {
     (void)state;
@@ -260,7 +260,7 @@ static void test_the_store_writes_a_graph_in_its_own_thread(void **state)
     struct graph_edit_record record = drawn();
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     assert_int_equal(device.edits.ops->store(device.edits.self, &record), HAL_OK);
-    /* A second request with the same id has no effect. */
+    /* The second request has the same id, so it must have no effect. */
     assert_int_equal(device.edits.ops->store(device.edits.self, &record), HAL_OK);
     for (uint32_t i = 0; i < 500 && device.edits.ops->stored_id(device.edits.self) != record.id;
          i++) {
@@ -272,15 +272,16 @@ static void test_the_store_writes_a_graph_in_its_own_thread(void **state)
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
 }
 
-/* Another kiosk has locked the data folder, so the database is not opened and rounds cannot be
- * stored. A graph is a text file and must be stored anyway. */
+/* Another kiosk has locked the data folder, so this kiosk does not open the database and cannot
+ * store rounds. A graph is stored in a text file, which must be written all the same. */
 static void test_a_graph_is_stored_without_a_database(void **state)
 {
     (void)state;
     static struct storage storage;
     memset(&storage, 0, sizeof storage);
     storage.dir = folder;
-    const int hold = file_lock_folder(folder); /* Simulates another kiosk that uses the folder. */
+    const int hold = file_lock_folder(folder); /* This lock simulates another kiosk that uses the
+                                                  folder. */
     assert_true(hold >= 0);
     const struct hal_storage device = storage_device(&storage);
     const struct graph_edit_record record = drawn();
@@ -303,8 +304,8 @@ static void test_a_graph_is_stored_without_a_database(void **state)
     close(hold);
 }
 
-/* Stores more graphs than the queue can hold. A full queue returns HAL_ERR_BUSY, and the test
- * retries. */
+/* Stores more graphs than the queue can hold. While the queue is full, store() returns
+ * HAL_ERR_BUSY, and the test retries. */
 static void test_queued_graphs_are_written_in_order(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_storage.c -- Tests that finished rounds are stored, and that a disk fault gives a message
- * instead of stopping the kiosk. */
+/* test_storage.c -- Tests that finished rounds are stored. A fault of the disk must give a message
+ * and must not stop the kiosk. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -79,8 +79,8 @@ static void test_closing_writes_the_queued_entries(void **state)
     assert_int_equal(query_number(fixture, "SELECT count(*) FROM rounds"), 5);
 }
 
-/* Another program locks the database. append() must not block, a full queue must return
- * HAL_ERR_BUSY, and no queued entry may be lost. */
+/* Another program has locked the database. append() must not block. When the queue is full,
+ * append() must return HAL_ERR_BUSY, and no queued entry may be lost. */
 static void test_a_blocked_card_never_blocks_a_frame(void **state)
 {
     struct fixture *fixture = *state;
@@ -100,7 +100,7 @@ static void test_a_blocked_card_never_blocks_a_frame(void **state)
     clock_gettime(CLOCK_MONOTONIC, &after);
     const double ms = (double)(after.tv_sec - before.tv_sec) * 1e3 +
                       (double)(after.tv_nsec - before.tv_nsec) * 1e-6;
-    assert_true(ms < 100.0); /* One wait for the lock would take 2 s, so none of these 65 calls has
+    assert_true(ms < 100.0); /* A wait for the lock takes 2 s, so none of the 65 calls has
                                 waited. */
     assert_int_equal(saved_id(fixture), 0);
 
@@ -157,7 +157,7 @@ static void test_the_data_folder_is_created_if_possible(void **state)
 static void test_an_unwritable_folder_gives_a_one_line_message(void **state)
 {
     struct fixture *fixture = *state;
-    fixture->storage.dir = "/proc"; /* Nobody can create files in /proc, not even root. */
+    fixture->storage.dir = "/proc"; /* /proc does not allow new files, even for root. */
     assert_int_equal(open_store(fixture), HAL_ERR_IO);
     assert_non_null(strstr(text(fixture), "/proc"));
     assert_null(strchr(text(fixture), '\n'));
@@ -187,7 +187,8 @@ static void test_a_file_that_is_not_a_database_is_quarantined(void **state)
     snprintf(aside, sizeof aside, "%s.damaged-1", fixture->file);
     struct stat info;
     assert_int_equal(stat(aside, &info), 0);
-    assert_int_equal(info.st_size, sizeof junk); /* The quarantined file keeps its content. */
+    assert_int_equal(info.st_size, sizeof junk); /* The junk was moved to the quarantined file with
+                                                    all its bytes. */
     save(fixture, 1, 1, 0);
     wait_until_saved(fixture, 1);
 }
@@ -225,7 +226,7 @@ static void test_a_ranked_round_has_a_seal_while_its_replay_is_stored(void **sta
     assert_false(has_replay(fixture, 0));
     reopen(fixture);
     assert_true(has_replay(fixture, 1));
-    /* Ten better rounds remove round 1 from the ranking, so its replay is deleted. */
+    /* Ten better rounds push round 1 out of the ranking, so its replay must be deleted. */
     for (uint32_t id = 2; id <= 1u + RANK_ROWS; id++) {
         assert_int_equal(save(fixture, id, 9, 0), HAL_OK);
     }

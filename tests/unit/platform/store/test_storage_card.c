@@ -1,8 +1,8 @@
 /* test_storage_card.c -- Tests the store on a memory card that is slow, blocked, full, read-only,
- * missing or of another kiosk.
+ * missing or from another kiosk.
  *
  * The store must report the state, store as much as possible, and continue when the card works
- * again. tests/power/tape.h injects the faults into the system calls of the store. */
+ * again. tests/power/tape.h makes the system calls of the store fail. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -26,7 +26,7 @@ static struct tape tape;
 static struct storage storage;
 static struct hal_storage device;
 
-/* If true, access() reports a read-only file system, even to root. */
+/* True if access() must report a read-only file system, even to root. */
 static bool is_read_only;
 int __real_access(const char *path, int mode);
 int __wrap_access(const char *path, int mode);
@@ -178,7 +178,7 @@ static void test_no_frame_waits_for_a_slow_card(void **state)
     (void)state;
     storage.without_thread = false;
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
-    pause_ms(300); /* Gives the store time for its first backup. */
+    pause_ms(300); /* Waits until the store has made its first backup. */
     tape_sync_us(200000);
     int64_t longest_ms = 0;
     for (uint32_t id = 1; id <= 20; id++) {
@@ -190,10 +190,10 @@ static void test_no_frame_waits_for_a_slow_card(void **state)
         longest_ms = took_ms > longest_ms ? took_ms : longest_ms;
         pause_ms(10);
     }
-    /* Each sync takes 200 ms on the slow card, so no call has waited for a sync. */
+    /* Each sync of the slow card takes 200 ms, so no call has waited for a sync. */
     assert_true(longest_ms < 100);
     wait_until_saved(20);
-    assert_true(is_well()); /* A slow card is not reported as a fault. */
+    assert_true(is_well()); /* A slow card must not be reported as a fault. */
 }
 
 static void test_a_card_that_does_not_recover_is_reported(void **state)
@@ -206,7 +206,7 @@ static void test_a_card_that_does_not_recover_is_reported(void **state)
     keep(1);
     pause_ms(100);
     assert_true(is_well());
-    /* Moves the start of the write into the past instead of waiting for the timeout. */
+    /* Instead of waiting for the timeout, the test moves the start of the write into the past. */
     atomic_fetch_sub(&storage.busy_since_ms, STORAGE_STUCK_MS);
     assert_false(is_well());
     assert_non_null(strstr(text(), "has not answered for 3 s; 1 entries wait"));
@@ -215,7 +215,7 @@ static void test_a_card_that_does_not_recover_is_reported(void **state)
     assert_true(is_well());
 }
 
-/* Creates a link to a missing file at the path of the database, as if the card were missing. */
+/* Creates a link to a missing file in place of the database, as if the card had been removed. */
 static void take_card_away(void)
 {
     assert_int_equal(symlink("/tmp/kingyo-no-such-card/kingyo.db", file), 0);
@@ -247,8 +247,8 @@ static void test_an_empty_card_inserted_late_is_used(void **state)
     assert_int_equal(saved_id(), 2);
 }
 
-/* The inserted card has a database with entries. The kiosk must not overwrite these entries, so a
- * restart must load the entries first. */
+/* The card that is inserted late has a database with entries. The kiosk must not overwrite it, so
+ * the store requests a restart that loads these entries. */
 static void test_a_card_with_data_inserted_late_is_used_after_a_restart(void **state)
 {
     (void)state;
@@ -272,8 +272,8 @@ static void test_a_card_with_data_inserted_late_is_used_after_a_restart(void **s
     assert_int_equal(device.ledger.ops->needs_restart(device.ledger.self), 0);
 }
 
-/* On a read-only card the stored credits are loaded. When the card is writable again, coins are
- * stored without a restart. */
+/* The card is read-only at the start, and the stored credits must be loaded. When the card becomes
+ * writable, coins must be stored without a restart. */
 static void test_a_card_that_is_read_only_at_the_start_is_used_when_writable(void **state)
 {
     (void)state;
@@ -308,7 +308,7 @@ static void test_a_foreign_card_is_not_written(void **state)
     tape_refuse(EIO);
     keep(2);
     storage_work(&storage);
-    /* Replaces the database by that of another kiosk, as if the card were exchanged. */
+    /* Replaces the database by that of another kiosk, as if the card had been exchanged. */
     snprintf(command, sizeof command, "rm %s*; cp tests/unit/platform/store/files/version-6.db %s",
              file, file);
     assert_int_equal(system(command), 0);
@@ -318,14 +318,14 @@ static void test_a_foreign_card_is_not_written(void **state)
     assert_non_null(strstr(text(), "not the card that it began with"));
     assert_int_equal(count_entries(), 9);
     assert_int_equal(saved_id(), 1);
-    /* A restart would load the balances of the other kiosk. */
+    /* No restart may be requested, because it would load the balances of the other kiosk. */
     assert_int_equal(device.ledger.ops->needs_restart(device.ledger.self), 0);
 }
 
 /* ---- Tests of a card that is full when the kiosk starts ------------------------------------- */
 
-/* Leaves the files as they are after SIGKILL: a database and a log with entries 1 to 5, but no
- * index of the log. */
+/* Leaves the files as SIGKILL would leave them: a database, and a log with the entries 1 to 5, but
+ * no index of the log. */
 static void leave_five_entries_in_the_log(void)
 {
     char command[400];
@@ -346,8 +346,8 @@ static void leave_five_entries_in_the_log(void)
     storage = (struct storage){ .dir = dir, .without_thread = true };
 }
 
-/* Opens the store on a full card that has five entries. `proven` is the newest entry that the store
- * may report as stored. Then frees space and asserts that a new entry is stored. */
+/* Opens the store on a full card with five entries. The store may report the entries up to `proven`
+ * as stored. After that, space is freed, and a new entry must be stored. */
 static void remembers_and_goes_on(uint32_t proven)
 {
     static struct persistent_state memory;
@@ -359,12 +359,13 @@ static void remembers_and_goes_on(uint32_t proven)
     assert_false(is_well());
     assert_non_null(strstr(text(), "full; free some space"));
     assert_int_equal(saved_id(), proven);
-    assert_int_equal(keep(6), HAL_OK); /* The entry waits in the queue until the card has space. */
+    assert_int_equal(keep(6), HAL_OK); /* This entry must wait in the queue until the card has
+                                          space. */
     storage_work(&storage);
     assert_false(is_well());
     assert_int_equal(saved_id(), proven);
     tape_refuse(0);
-    storage.look_due_ms = 0; /* Skips the delay before the next retry. */
+    storage.look_due_ms = 0; /* Makes the next retry due at once. */
     storage_work(&storage);
     assert_true(is_well());
     assert_int_equal(saved_id(), 6);
@@ -375,7 +376,8 @@ static void test_a_card_that_is_full_at_the_start_is_read_and_later_written(void
 {
     (void)state;
     leave_five_entries_in_the_log();
-    /* A log that cannot be written again may not be on disk, so no entry counts as stored. */
+    /* The entries are only in the log. The log may not be completely on the card, and it cannot be
+     * written again on a full card. Therefore no entry counts as stored. */
     remembers_and_goes_on(0);
 }
 
@@ -388,7 +390,7 @@ static void test_a_full_card_that_was_closed_cleanly_is_read_and_later_written(v
     }
     device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .without_thread = true };
-    /* A clean close has moved all entries from the log to the database. */
+    /* A clean close moves all entries from the log to the database, so all five count as stored. */
     remembers_and_goes_on(5);
 }
 
@@ -415,13 +417,14 @@ static void put_a_later_kingyos_file(void)
     sqlite3_close(db);
 }
 
-/* Returns how many attempts of the store to open the file have failed. */
+/* Returns how often the store has failed to open the file. */
 static uint32_t looks(void)
 {
     return device.ledger.ops->failed_count(device.ledger.self);
 }
 
-/* Two kiosks with one database would assign the same ids to different entries. */
+/* The second kiosk must wait, because two kiosks with one database would give different entries the
+ * same id. */
 static void test_a_second_kiosk_on_the_same_folder_waits_until_the_first_exits(void **state)
 {
     (void)state;
@@ -440,7 +443,7 @@ static void test_a_second_kiosk_on_the_same_folder_waits_until_the_first_exits(v
     assert_false(other.ledger.ops->is_healthy(other.ledger.self));
     device.ledger.ops->close(device.ledger.self);
     storage_work(&second);
-    /* The second kiosk must load the entries of the first kiosk in a restart. */
+    /* Only a restart lets the second kiosk load the entries of the first kiosk. */
     assert_true(other.ledger.ops->needs_restart(other.ledger.self));
     other.ledger.ops->close(other.ledger.self);
 }
@@ -454,11 +457,11 @@ static void test_an_unusable_file_is_retried_with_increasing_delays(void **state
     assert_int_equal(looks(), 1);
     for (int64_t wait_ms = STORAGE_RETRY_MS, i = 0; i < 8; i++) {
         storage_work(&storage);
-        assert_int_equal(looks(), 1 + i); /* Before the delay has passed, there is no retry. */
+        assert_int_equal(looks(), 1 + i); /* The delay has not passed, so there was no retry. */
         assert_int_equal(storage.look_wait_ms, wait_ms);
         storage.look_due_ms -= wait_ms;
         storage_work(&storage);
-        assert_int_equal(looks(), 2 + i); /* After the delay, there is one retry. */
+        assert_int_equal(looks(), 2 + i); /* The delay has passed, so there was one retry. */
         wait_ms = 2 * wait_ms < STORAGE_RETRY_MS_MAX ? 2 * wait_ms : STORAGE_RETRY_MS_MAX;
     }
     assert_int_equal(storage.look_wait_ms, STORAGE_RETRY_MS_MAX);
@@ -474,8 +477,8 @@ static bool is_beside(const char *suffix)
 static void keep_eight_and_close(void)
 {
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
-    /* The first pass of the loop also makes the backup. The backup therefore has only ledger entry
-     * 1, and the database has all eight. */
+    /* The first step of the loop also makes the backup, so the backup has only entry 1. The
+     * database has all eight entries. */
     for (uint32_t id = 1; id <= 8; id++) {
         assert_int_equal(keep(id), HAL_OK);
         storage_work(&storage);
@@ -484,8 +487,8 @@ static void keep_eight_and_close(void)
     storage = (struct storage){ .dir = dir, .without_thread = true };
 }
 
-/* Opens the store on a full card. Asserts that all data are loaded, and that nothing is quarantined
- * or replaced until the card has space. */
+/* Opens the store on a full card. Asserts that all data are loaded, and that no file is quarantined
+ * or replaced before the card has space. */
 static void is_read_and_left(void)
 {
     static struct persistent_state memory;
@@ -540,7 +543,8 @@ static void test_a_change_of_free_space_causes_no_retry(void **state)
     put_a_later_kingyos_file();
     device.ledger.ops->open(device.ledger.self);
     storage_work(&storage);
-    storage.room = 0; /* Simulates a change of the free space since the last attempt. */
+    storage.room = 0; /* The free space has changed since the last attempt, which is no reason for a
+                         retry. */
     storage_work(&storage);
     assert_int_equal(looks(), 1);
 }
@@ -555,7 +559,7 @@ static void test_a_changed_file_is_retried_immediately(void **state)
         storage_work(&storage);
     }
     assert_int_equal(storage.look_wait_ms, STORAGE_RETRY_MS_MAX);
-    put_away(); /* Removes the unusable file, as if an empty card were inserted. */
+    put_away(); /* An empty card is inserted in place of the unusable file. */
     storage_work(&storage);
     assert_true(is_well());
     assert_int_equal(keep(1), HAL_OK);
@@ -594,7 +598,8 @@ static void test_the_replay_of_a_ranked_round_is_stored_and_loaded(void **state)
     (void)state;
     uint8_t found[64];
     device.ledger.ops->open(device.ledger.self);
-    play_round(1, 5); /* One pass of storage_work() writes the round and then its replay. */
+    play_round(1, 5); /* One call of storage_work() must write the round first and then its
+                         replay. */
     assert_int_equal(device.replays.ops->store(device.replays.self, 1, replay, sizeof replay),
                      HAL_OK);
     assert_int_equal(device.replays.ops->store(device.replays.self, 2, replay, sizeof replay),
@@ -604,7 +609,7 @@ static void test_the_replay_of_a_ranked_round_is_stored_and_loaded(void **state)
     assert_int_equal(device.replays.ops->stored_id(device.replays.self), 1);
     assert_int_equal(fetch(1, found, sizeof found), sizeof replay);
     assert_memory_equal(found, replay, sizeof replay);
-    assert_int_equal(fetched.id, 1); /* The ledger entry of the round is returned too. */
+    assert_int_equal(fetched.id, 1); /* The fetched data include the ledger entry of the round. */
     assert_int_equal(fetched.round.caught, 5);
     assert_int_equal(fetch(1, found, 4), HAL_ERR_ABSENT);
     assert_int_equal(fetch(7, found, sizeof found), HAL_ERR_ABSENT);
@@ -624,8 +629,8 @@ static void test_an_unranked_round_stores_no_replay(void **state)
     assert_int_equal(fetch(RANK_ROWS + 1, found, sizeof found), HAL_ERR_ABSENT);
 }
 
-/* A replay without a ranked round would be deleted. While the round cannot be written, the replay
- * must wait. */
+/* The replay of a round that is not ranked would be deleted. While the round cannot be written, its
+ * replay must therefore wait. */
 static void test_a_replay_is_written_only_after_its_round(void **state)
 {
     (void)state;
@@ -657,9 +662,10 @@ static void test_a_replay_rejected_by_the_card_is_dropped_after_its_timeout(void
     device.replays.ops->store(device.replays.self, 1, replay, sizeof replay);
     storage_work(&storage);
     storage_work(&storage);
-    /* The replay is not stored yet, and its write is retried. */
+    /* The replay is not stored yet, and the store must retry the write. */
     assert_int_equal(device.replays.ops->stored_id(device.replays.self), 0);
-    /* Moves the start of the write into the past, so that the write times out and is abandoned. */
+    /* The start of the write is moved into the past, so that the write times out and is
+     * abandoned. */
     storage.put_since_ms -= STORAGE_REPLAY_MS;
     storage_work(&storage);
     assert_int_equal(device.replays.ops->stored_id(device.replays.self), 1);

@@ -36,8 +36,8 @@ static void test_readable_entries_of_a_damaged_file_are_recovered(void **state)
     work_rounds(fixture, 9, 9);
 }
 
-/* An operator has acknowledged and removed the file .damaged-1. The next damaged file must get the
- * number 2, so that it is reported. */
+/* The operator has acknowledged the file .damaged-1 and removed it. The next damaged file must get
+ * the number 2. With the number 1, it would count as acknowledged. */
 static void test_an_acknowledged_damage_does_not_hide_a_later_one(void **state)
 {
     struct fixture *fixture = *state;
@@ -73,8 +73,8 @@ static void test_a_damaged_newest_entry_falls_back_to_the_previous_one(void **st
     work_rounds(fixture, 8, 8);
 }
 
-/* The entries of 300 coins fill several pages of the database. One page is damaged. The entries in
- * the other pages must be recovered. */
+/* The entries of 300 coins need several pages of the database. After one page is damaged, the
+ * entries of all other pages must be recovered. */
 static void test_a_damaged_page_does_not_hide_other_pages(void **state)
 {
     struct fixture *fixture = *state;
@@ -145,7 +145,7 @@ static void test_without_a_backup_a_new_database_is_created(void **state)
     assert_int_equal(load_state(fixture)->ledger.last_id, 0);
 }
 
-/* The next backup would overwrite the damaged backup, so the damaged backup is renamed. */
+/* A damaged backup must be renamed, because the next backup would overwrite it. */
 static void test_a_damaged_backup_is_set_aside(void **state)
 {
     struct fixture *fixture = *state;
@@ -176,8 +176,8 @@ static void test_a_missing_file_is_restored_from_its_backup(void **state)
     assert_int_equal(load_state(fixture)->ledger.last_id, 4);
 }
 
-/* Logs of SQLite can remain beside the backup after a power cut while an operator has the backup
- * open. */
+/* SQLite leaves logs beside the backup if the power is cut while an operator has opened the
+ * backup. */
 static void test_logs_beside_the_previous_backup_are_deleted(void **state)
 {
     struct fixture *fixture = *state;
@@ -194,7 +194,7 @@ static void test_logs_beside_the_previous_backup_are_deleted(void **state)
     }
 }
 
-/* A damaged file system or a mistake of an operator can leave a folder at the path of the
+/* A damaged file system or a mistake of the operator can put a folder in the place of the
  * database. */
 static void test_a_folder_in_place_of_the_database_is_quarantined(void **state)
 {
@@ -215,7 +215,8 @@ static void test_a_folder_in_place_of_the_database_is_quarantined(void **state)
     work_rounds(fixture, 5, 6);
 }
 
-/* A link to itself makes stat() fail, as on a card that responds but cannot return the file. */
+/* The database is replaced by a link to itself, for which stat() fails. On a faulty card, stat()
+ * can fail in the same way. */
 static void test_a_file_whose_status_cannot_be_read_is_not_treated_as_missing(void **state)
 {
     struct fixture *fixture = *state;
@@ -230,8 +231,7 @@ static void test_a_file_whose_status_cannot_be_read_is_not_treated_as_missing(vo
     fixture->storage.without_thread = true;
     assert_int_not_equal(open_store(fixture), HAL_OK);
     assert_int_equal(fixture->device.ledger.ops->is_healthy(fixture->device.ledger.self), 0);
-    assert_int_equal(rename(hidden, fixture->file), 0); /* Moves the database back in place of the
-                                                           link. */
+    assert_int_equal(rename(hidden, fixture->file), 0); /* Moves the database back to its path. */
     fixture->device.ledger.ops->close(fixture->device.ledger.self);
     open_without_thread(fixture);
     assert_int_equal(load_state(fixture)->ledger.last_id, 8);

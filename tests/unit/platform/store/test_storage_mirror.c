@@ -1,7 +1,7 @@
-/* test_storage_mirror.c -- Tests the ledger mirror, a second file with copies of the newest
- * entries.
+/* test_storage_mirror.c -- Tests the ledger mirror, a second file with copies of the newest entries
+ * of the database.
  *
- * A single fault of the database must not lose an acknowledged entry. */
+ * Together with the mirror, a single fault of the database must not lose an acknowledged entry. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -62,7 +62,7 @@ static void reopen(void)
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
 }
 
-/* Appends the rounds `first` to `last` to the store. The catch of each round equals its id. */
+/* Appends the rounds `first` to `last` to the store. The catch of each round is equal to its id. */
 static void append_rounds(uint32_t first, uint32_t last)
 {
     for (uint32_t id = first; id <= last; id++) {
@@ -85,7 +85,7 @@ static void play_rounds(uint32_t first, uint32_t last)
     assert_int_equal(device.ledger.ops->committed_id(device.ledger.self), last);
 }
 
-/* Stores eight rounds and closes the store. The backup contains the first four. */
+/* Stores eight rounds and closes the store. The backup has only the first four rounds. */
 static void play_eight_and_close(void)
 {
     reopen();
@@ -204,7 +204,7 @@ test_a_damaged_first_page_without_backup_and_mirror_leaves_the_loss_unknown(void
                            "damaged-1: 0 entries from the backup, 0 later ones, unknown how many"));
 }
 
-/* The migration of a version 3 database reads all pages, so it detects the damaged page. */
+/* The migration of a database of version 3 reads all pages, so it must detect the damaged page. */
 static void test_rounds_of_a_damaged_version_3_database_are_recovered(void **state)
 {
     static const char old[] = "tests/unit/platform/store/files/version-3.db";
@@ -225,8 +225,8 @@ static void test_rounds_of_a_damaged_version_3_database_are_recovered(void **sta
     }
 }
 
-/* Stores more entries than the mirror can hold without making a new backup. Deletes the database.
- * The entries that are neither in the backup nor in the mirror must be counted as lost. */
+/* Stores more entries than the mirror can hold, and deletes the database. The oldest of them are
+ * neither in the backup nor in the mirror, and must be counted as lost. */
 static void test_entries_missing_from_backup_and_mirror_are_counted(void **state)
 {
     (void)state;
@@ -246,8 +246,8 @@ static void test_entries_missing_from_backup_and_mirror_are_counted(void **state
     assert_int_equal(storage.salvaged.lost, 1400 - 4 - (int)LEDGER_MIRROR_SLOTS);
 }
 
-/* The database is replaced by that of another kiosk, but the old mirror remains. Entries of the
- * mirror must not be added to the other database. */
+/* The database is replaced by that of another kiosk, but the mirror stays. The entries of the
+ * mirror must not be added to the new database. */
 static void test_a_mirror_is_not_merged_into_a_foreign_database(void **state)
 {
     (void)state;
@@ -288,8 +288,8 @@ static void test_without_database_and_backup_the_mirror_is_recovered(void **stat
     has_all_eight();
 }
 
-/* The newest entry has the balance of credits. The mirror contains this entry, so a damaged backup
- * loses no credit. */
+/* The newest entry contains the balance of credits. The mirror has this entry, so no credit is lost
+ * although the backup is damaged. */
 static void test_without_database_a_damaged_backup_loses_no_credit(void **state)
 {
     (void)state;
@@ -301,8 +301,8 @@ static void test_without_database_a_damaged_backup_loses_no_credit(void **state)
     assert_int_equal(fwrite(damage, 1, sizeof damage, out), sizeof damage);
     assert_int_equal(fclose(out), 0);
     has_all_eight();
-    /* The note about the missing database has the number 1, so the damaged backup gets the number
-     * 2. */
+    /* Number 1 was used for the note that the database is missing, so the damaged backup gets
+     * number 2. */
     assert_true(is_beside(STORAGE_BACKUP_SUFFIX STORAGE_OTHER_SUFFIX "2"));
 }
 
@@ -312,7 +312,7 @@ static void test_a_database_with_fewer_entries_than_its_mirror_is_damage(void **
     sqlite3 *db;
     play_eight_and_close();
     assert_int_equal(sqlite3_open(file, &db), SQLITE_OK);
-    /* Deletes the entries 7 and 8, which then are only in the mirror. */
+    /* After this deletion, the entries 7 and 8 are only in the mirror. */
     sqlite3_exec(db, "DELETE FROM entries WHERE id > 6", NULL, NULL, NULL);
     sqlite3_close(db);
     has_all_eight();
@@ -369,8 +369,8 @@ static void test_the_newest_entry_overwrites_the_oldest_mirror_slot(void **state
     ledger_mirror_close(&tail);
 }
 
-/* The mirror contains entries of another database, as after a manual copy. The mirror must be
- * created anew, and its entries must not be added to the database. */
+/* The mirror was made for another database, for example because an operator copied it. A new mirror
+ * must replace it, and its entries must not be added to the database. */
 static void test_a_mirror_of_a_foreign_database_is_recreated(void **state)
 {
     (void)state;
@@ -413,7 +413,7 @@ static void test_without_a_writable_mirror_nothing_is_acknowledged(void **state)
     (void)state;
     struct ledger_entry found;
     reopen();
-    /* A folder at the path of the mirror makes each write of the mirror fail. */
+    /* A folder is in the place of the mirror, so each write of the mirror fails. */
     assert_int_equal(mkdir(tail_path, 0755), 0);
     append_rounds(1, 3);
     assert_int_equal(device.ledger.ops->committed_id(device.ledger.self), 0);
@@ -436,7 +436,7 @@ static void test_entries_missing_only_from_the_mirror_are_not_counted_as_lost(vo
 {
     (void)state;
     reopen();
-    /* A folder at the path of the mirror makes each write of the mirror fail. */
+    /* A folder is in the place of the mirror, so each write of the mirror fails. */
     assert_int_equal(mkdir(tail_path, 0755), 0);
     append_rounds(1, 3);
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);

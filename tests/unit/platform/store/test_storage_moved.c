@@ -1,8 +1,8 @@
-/* test_storage_moved.c -- Tests a data folder that is deleted, renamed, replaced, or hidden by a
+/* test_storage_moved.c -- Tests a data folder that is deleted, renamed, replaced or hidden by a
  * mount while the kiosk runs.
  *
- * The store must report the change within a second, even without a write. Until the folder is back,
- * no entry may be acknowledged. */
+ * The store must report the change within a second, even if nothing is written. Until the folder is
+ * back, no entry may be acknowledged. */
 #include <sched.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -20,7 +20,8 @@
 
 #include "platform/store/storage.h"
 
-/* Longest time until the store detects a change: one second, and a reserve for a busy machine. */
+/* Longest time until the store detects a change, in ms: one second, and half a second more for a
+ * busy machine. */
 #define WITHIN_MS 1500
 
 static char top[64], dir[96], path[128];
@@ -106,12 +107,12 @@ static void save_three(void)
         pause_ms(10);
     }
     assert_int_equal(saved_id(), 3);
-    pause_ms(300); /* Gives the store time for its first backup. */
+    pause_ms(300); /* Waits until the store has made its first backup. */
     assert_true(is_well());
 }
 
-/* Runs the shell command `what`. Asserts that the store reports the change and acknowledges no
- * entry afterwards. */
+/* Runs the shell command `what`. Asserts that the store reports a fault within WITHIN_MS, and
+ * acknowledges no further entry. */
 static void is_detected_after(const char *what)
 {
     save_three();
@@ -134,7 +135,7 @@ static void test_a_deleted_folder_is_detected_and_saved_at_the_end(void **state)
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     begin(true);
     assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
-    assert_int_equal(memory.ledger.last_id, 4); /* Entry 4, which waited in the queue, is stored
+    assert_int_equal(memory.ledger.last_id, 4); /* Entry 4 was in the queue, and must be stored
                                                    too. */
     assert_int_equal(memory.audits.count[AUDIT_COINS_1], 4);
     assert_non_null(
@@ -157,7 +158,8 @@ static void test_a_folder_in_place_of_the_deleted_one_is_not_changed(void **stat
     (void)state;
     is_detected_after("rm -rf data && mkdir data && "
                       "cp $OLDPWD/tests/unit/platform/store/files/version-6.db data/kingyo.db");
-    /* One entry is lost: entry 4, which was never acknowledged. */
+    /* close() returns the number of lost entries. Only entry 4 is lost, and it was never
+     * acknowledged. */
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 1);
     do_shell("cmp -s $OLDPWD/tests/unit/platform/store/files/version-6.db data/kingyo.db");
     begin(true);
@@ -180,7 +182,7 @@ static void test_a_replaced_folder_is_detected_and_the_old_one_is_used_again(voi
     (void)state;
     struct stat about;
     is_detected_after("mv data away && mkdir data");
-    /* The store must not create a new database in the new folder. */
+    /* The store must not create a new database in the folder that replaces the data folder. */
     assert_int_equal(stat(path, &about), -1);
     do_shell("rmdir data && mv away data");
     wait_until_well(1, WITHIN_MS);
@@ -273,7 +275,7 @@ static void test_an_entry_in_a_deleted_file_is_not_acknowledged(void **state)
     keep(1);
     storage_work(&storage);
     assert_int_equal(saved_id(), 1);
-    /* The folder is moved and an entry is appended before the store checks the folder. */
+    /* The folder is moved, and an entry is appended before the next check of the folder. */
     do_shell("mv data away");
     keep(2);
     storage_work(&storage);
@@ -285,8 +287,8 @@ static void test_an_entry_in_a_deleted_file_is_not_acknowledged(void **state)
     assert_int_equal(saved_id(), 2);
 }
 
-/* The test needs its own mount namespace. Without the permission to create one, the test is
- * skipped. */
+/* The test mounts a file system in its own mount namespace. The test is skipped if it has no
+ * permission to create a namespace. */
 static void test_a_mount_over_the_folder_is_detected(void **state)
 {
     (void)state;

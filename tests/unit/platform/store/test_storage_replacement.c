@@ -1,5 +1,6 @@
-/* test_storage_replacement.c -- Tests which database is used if several exist. An interrupted
- * replacement of the database must be completed. */
+/* test_storage_replacement.c -- Tests which database is used if there are several, for example
+ * after a replacement of the database was interrupted. An interrupted replacement must be
+ * completed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -30,8 +31,8 @@ static int last_id_of(const char *path)
     return answer;
 }
 
-/* Opens a database that has fewer entries than its backup. Asserts that the database is quarantined
- * and restored from the backup. */
+/* Opens a database with fewer entries than its backup. Asserts that this database is quarantined
+ * and that its backup replaces it. */
 static void goes_on_from_the_backup(struct fixture *fixture)
 {
     char backup[160], aside[160];
@@ -61,8 +62,8 @@ static void test_a_file_with_fewer_entries_than_its_backup_is_damage(void **stat
     goes_on_from_the_backup(fixture);
 }
 
-/* An operator makes a copy as `kingyoctl backup` does, and later renames the copy to the database,
- * as the help text describes. */
+/* An operator makes a copy with `kingyoctl backup`. Later the operator restores the copy by
+ * renaming it to the database, as the help text describes. */
 static void test_a_restored_copy_is_used(void **state)
 {
     struct fixture *fixture = *state;
@@ -89,8 +90,8 @@ static void test_a_restored_copy_is_used(void **state)
     fixture->storage.backup_due_s = 0;
     storage_work(&fixture->storage);
     fixture->device.ledger.ops->close(fixture->device.ledger.self);
-    /* Deletes entries. The file is not a copy of the backup and has fewer entries, so the file
-     * counts as damaged. */
+    /* Deletes entries. The database then has fewer entries than the backup without being a copy of
+     * the backup, so it counts as damaged. */
     do_sql(fixture, "DELETE FROM entries WHERE id > 3");
     open_without_thread(fixture);
     assert_non_null(strstr(text(fixture), "damaged-1"));
@@ -117,14 +118,14 @@ static void test_a_backup_is_not_overwritten_by_a_file_with_fewer_entries(void *
     fill_and_close(fixture);
     path_beside(fixture, STORAGE_BACKUP_SUFFIX, backup);
     open_without_thread(fixture);
-    /* Reduces the newest id in memory, as if the database had been replaced by an older file. */
+    /* Reduces the newest id in memory, as if an older file had replaced the database. */
     fixture->storage.file.content.memory.ledger.last_id = 3;
     storage_work(&fixture->storage);
     assert_int_equal(last_id_of(backup), 4);
     assert_int_equal(fixture->device.ledger.ops->failed_count(fixture->device.ledger.self), 1);
 }
 
-/* Each change damages the name of one column in the stored schema of the database. */
+/* Each of these changes damages the name of one column in the stored schema. */
 static void test_altered_tables_are_damage(void **state)
 {
     struct fixture *fixture = *state;
@@ -158,11 +159,11 @@ static void test_an_interrupted_replacement_is_completed(void **state)
     fill_and_close(fixture);
     path_beside(fixture, STORAGE_NEW_SUFFIX, fresh);
     path_beside(fixture, "-wal", log);
-    /* Simulates a power cut after the old database was quarantined and before the new database was
-     * renamed. */
+    /* Simulates a power cut during a replacement. The old database is already quarantined, but the
+     * new one has not been renamed yet. */
     assert_int_equal(rename(fixture->file, fresh), 0);
-    write_file(log, "of the damaged one", 18); /* The log of the old database is still in the
-                                                  folder. */
+    write_file(log, "of the damaged one", 18); /* The log of the quarantined database is still in
+                                                  the folder. */
     open_without_thread(fixture);
     assert_int_equal(load_state(fixture)->ledger.last_id, 8);
     path_beside(fixture, ".damaged-1-wal", aside);

@@ -1,7 +1,7 @@
-/* test_storage_strange.c -- Tests FIFOs, links, devices, sockets and folders at the paths of files
- * in the data folder, and a log of 1 GiB.
+/* test_storage_strange.c -- Tests a data folder in which FIFOs, links, devices, sockets or folders
+ * are in the place of regular files. Also tests a log of 1 GiB.
  *
- * A start must not block, must not write through these objects, and must report each of them in one
+ * A start must not block, must not write through such an object, and must report each object in one
  * line. */
 #include <errno.h>
 #include <fcntl.h>
@@ -32,7 +32,7 @@ static struct hal_storage device;
 static int set_up(void **state)
 {
     (void)state;
-    alarm(60); /* Ends the test program if a test blocks for a minute. */
+    alarm(60); /* alarm() ends the test program if a test blocks for a minute. */
     strcpy(dir, "/tmp/kingyo-strange-XXXXXX");
     snprintf(victim, sizeof victim, "/tmp/kingyo-victim-%d", (int)getpid());
     return mkdtemp(dir) ? 0 : -1;
@@ -190,8 +190,7 @@ static void test_a_non_regular_file_in_place_of_the_database_is_replaced_by_the_
     }
 }
 
-/* A link may point to a card that is inserted later. The store must therefore not change the
- * link. */
+/* The link may point to a card that is inserted later, so the store must not change the link. */
 static void test_a_link_in_place_of_the_database_is_reported_and_not_followed(void **state)
 {
     (void)state;
@@ -209,7 +208,7 @@ static void test_a_link_in_place_of_the_database_is_reported_and_not_followed(vo
     }
 }
 
-/* Leaves a database with a write-ahead log that has all entries, as after SIGKILL. */
+/* Leaves a database whose entries are all in its write-ahead log, as after SIGKILL. */
 static void fill_and_kill(void)
 {
     char command[400];
@@ -226,8 +225,8 @@ static void fill_and_kill(void)
     assert_int_equal(system(command), 0);
 }
 
-/* The log has a size of 1 GiB, of which all bytes behind the frames are a hole that needs no space
- * on the disk. If the store wrote these bytes again, they would fill the disk, and a start would
+/* The log has a size of 1 GiB, but only its first part, the frames, uses disk space. All other
+ * bytes are a hole. If the store wrote the hole again, it would fill the disk, and a start would
  * take minutes. */
 static void test_a_huge_log_is_rewritten_only_as_far_as_its_frames(void **state)
 {
@@ -242,7 +241,8 @@ static void test_a_huge_log_is_rewritten_only_as_far_as_its_frames(void **state)
         close(file);
         assert_int_equal(begin(), HAL_OK);
         assert_int_equal(stat(in_dir(STORAGE_FILE "-wal"), &log), 0);
-        assert_true(log.st_blocks < 4096); /* Blocks of 512 bytes: 2 MiB. */
+        assert_true(log.st_blocks < 4096); /* st_blocks counts blocks of 512 bytes, so the limit is
+                                              2 MiB. */
         assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
         assert_int_equal(memory.ledger.last_id, 3 + i);
         assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);

@@ -1,8 +1,8 @@
-/* test_storage_sync.c -- Tests failed syncs. After a failed sync, an entry may be acknowledged only
- * after its bytes were written again and synced. Also tests a database that is renamed during a
- * write.
+/* test_storage_sync.c -- Tests failed sync calls. After such a failure, an entry may be
+ * acknowledged only if its bytes were written again and synced. Also tests a database that is
+ * renamed during a write.
  *
- * `make test-power` tests the same at random positions. */
+ * `make test-power` makes sync calls fail at random positions. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -24,12 +24,13 @@ static char dir[64], file[96], wal[96], tail[96];
 static struct storage storage;
 static struct hal_storage device;
 
-/* ---- File functions of libc, with failing syncs of one file --------------------------------- */
+/* ---- Replaced file functions of libc, whose syncs can fail ---------------------------------- */
 
 static const char *failing; /* Path of the file whose syncs fail. NULL means no file, and "" means
                                every file. */
 static uint32_t fails_left; /* Number of further syncs that will fail. */
-static const char *moving;  /* Path to which the database is renamed at the next sync of its log. */
+static const char *moving;  /* Path to which the next sync of the log renames the database. NULL
+                               means no renaming. */
 static uint64_t written;    /* Number of bytes written to the file `watched`. */
 static const char *watched;
 
@@ -146,7 +147,8 @@ static void test_after_a_failed_sync_the_log_is_rewritten(void **state)
     (void)state;
     drop_coins(1, 1);
     watched = wal;
-    fail_syncs(wal, 2); /* The sync at COMMIT and the sync at the close of the file fail. */
+    fail_syncs(wal, 2); /* Two syncs fail: the sync of the COMMIT, and the sync when the file is
+                           closed. */
     drop_coins(2, 3);
     assert_int_equal(saved(), 1);
     assert_false(device.ledger.ops->is_healthy(device.ledger.self));
@@ -211,8 +213,8 @@ static void test_a_failed_checkpoint_closes_the_file_and_loses_nothing(void **st
     assert_true(written >= size);
 }
 
-/* Leaves the files as they are after SIGKILL: copies the database, its log and the mirror while the
- * store is open, and uses the copies afterwards. */
+/* Leaves the files as SIGKILL would leave them: copies the database, its log and the mirror while
+ * the store is open. The copies are used from then on. */
 static void simulate_kill(void)
 {
     char command[512];
@@ -255,8 +257,8 @@ static void test_a_log_locked_by_another_program_at_the_start_is_not_acknowledge
     for (int i = 0; i < 2; i++) {
         assert_int_equal(saved(), 0);
         assert_false(device.ledger.ops->is_healthy(device.ledger.self));
-        storage_work(&storage); /* The other program still has the lock, so nothing is
-                                   acknowledged. */
+        storage_work(&storage); /* The other program has still locked the database, so no entry may
+                                   be acknowledged. */
     }
     assert_non_null(
         strstr(device.ledger.ops->describe(device.ledger.self), "another program holds it"));
@@ -264,7 +266,7 @@ static void test_a_log_locked_by_another_program_at_the_start_is_not_acknowledge
     watched = wal;
     written = 0;
     fail_syncs(wal, 1);
-    /* The first sync fails, so the store reopens the file and writes the log again. */
+    /* The first sync fails, so the store opens the file again and writes the log a second time. */
     storage_work(&storage);
     assert_int_equal(fails_left, 0);
     assert_int_equal(saved(), 5);
@@ -286,8 +288,8 @@ static void test_an_entry_is_written_only_after_a_suspect_log_is_rewritten(void 
     assert_int_equal(sqlite3_open(file, &other), SQLITE_OK);
     assert_int_equal(sqlite3_exec(other, "BEGIN IMMEDIATE", NULL, NULL, NULL), SQLITE_OK);
     assert_int_equal(ledger_file_open(&suspect, file, NULL), SQLITE_OK);
-    /* A suspect log was found at the start and may not be on disk. The lock of the other program
-     * prevents its rewrite. */
+    /* The log was found at the start, so its bytes may not be on the disk. The log stays suspect,
+     * because the lock of the other program prevents that it is written again. */
     assert_true(suspect.is_suspect);
     assert_int_equal(sqlite3_exec(other, "ROLLBACK", NULL, NULL, NULL), SQLITE_OK);
     watched = wal;
@@ -309,7 +311,7 @@ static void test_a_database_that_moves_during_a_write_acknowledges_nothing(void 
     drop_coins(1, 1);
     moving = away;
     drop_coins(2, 3);
-    assert_null(moving); /* sync_or_fail() has renamed the database during the write. */
+    assert_null(moving); /* The sync function above has renamed the database during the write. */
     assert_int_equal(saved(), 1);
     assert_false(device.ledger.ops->is_healthy(device.ledger.self));
     assert_non_null(strstr(device.ledger.ops->describe(device.ledger.self), "removed or replaced"));

@@ -1,5 +1,5 @@
-/* test_text.c -- Tests the texts of the kiosk: UTF-8 decoding, inserted numbers, and a glyph in the
- * fonts for every character. */
+/* test_text.c -- Tests the texts of the kiosk: decoding of UTF-8, insertion of numbers, and a glyph
+ * in the fonts for every character. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -20,8 +20,8 @@ static uint32_t first(const char *bytes)
 static void test_utf8_of_every_length_is_decoded(void **state)
 {
     (void)state;
-    /* The text is A, é, the Japanese character for gold, and the fish emoji: characters of one to
-     * four bytes. */
+    /* The text consists of A, é, the Japanese character for gold, and the fish emoji. These
+     * characters have one, two, three and four bytes. */
     const char *at = "A\xc3\xa9\xe9\x87\x91\xf0\x9f\x90\x9f";
     assert_int_equal(printable_next(&at), 'A');
     assert_int_equal(printable_next(&at), 0xe9);
@@ -37,10 +37,11 @@ static void test_malformed_bytes_are_replaced_one_by_one(void **state)
     (void)state;
     static const char *const malformed[] = {
         "\x80",             /* A continuation byte without a first byte. */
-        "\xc0\xaf",         /* A slash in two bytes, which is an invalid overlong form. */
-        "\xe0\x80\xaf",     /* The same slash in three bytes. */
-        "\xf0\x80\x80\xaf", /* The same slash in four bytes. */
-        "\xed\xa0\x80",     /* Half of a surrogate pair. */
+        "\xc0\xaf",         /* A slash that is encoded in two bytes. This overlong form is
+                               invalid. */
+        "\xe0\x80\xaf",     /* A slash that is encoded in three bytes, which is invalid too. */
+        "\xf0\x80\x80\xaf", /* A slash that is encoded in four bytes, which is invalid too. */
+        "\xed\xa0\x80",     /* Half of a surrogate pair, which is no character. */
         "\xf4\x90\x80\x80", /* A code point above U+10FFFF. */
         "\xff",
         "\xe9\x87", /* The first two bytes of a character of three bytes. */
@@ -163,12 +164,12 @@ static void test_a_too_long_line_is_truncated_at_a_whole_character(void **state)
     (void)state;
     char out[6];
     memset(out, 'x', sizeof out);
-    /* The buffer has room for five bytes and the terminator. The two characters need six bytes, so
-     * only the first one fits. */
+    /* The buffer has room for five bytes and the terminating zero. Each of the two characters has
+     * three bytes, so only the first one fits. */
     text_number(out, sizeof out, "\xe9\x87\x91\xe9\xad\x9a", 0);
     assert_string_equal(out, "\xe9\x87\x91");
     text_number(out, 3, "{}", 123);
-    /* A truncated number would be a different number, so no digit is kept. */
+    /* No digit is kept, because a truncated number would be a different number. */
     assert_string_equal(out, "");
 }
 

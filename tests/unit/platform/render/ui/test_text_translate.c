@@ -1,5 +1,5 @@
-/* test_text_translate.c -- Tests that every message of a device is translated into Japanese with
- * its names and numbers. An unknown message must stay unchanged. */
+/* test_text_translate.c -- Tests that the messages of all devices are translated into Japanese.
+ * Names and numbers in a message must be kept, and an unknown message must stay unchanged. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -25,8 +25,8 @@ static const char *in_japanese(const char *line)
     return out;
 }
 
-/* Fills each message pattern with the values x0, x1 and so on, and translates the message. The
- * result must be the Japanese pattern with the same values. */
+/* Each pattern of a message has gaps, which the test fills with the values x0, x1 and so on. The
+ * translation must be the Japanese pattern with the same values in its gaps. */
 static void test_every_message_pattern_is_unique(void **state)
 {
     (void)state;
@@ -91,8 +91,8 @@ static void test_messages_of_devices_are_translated(void **state)
     }
 }
 
-/* The messages come from the current drivers instead of copies in the test, so that a changed
- * message is detected. */
+/* The drivers of this version generate the messages of this test, so that a change of a message is
+ * detected. */
 static void test_the_current_messages_of_the_drivers_are_translated(void **state)
 {
     struct buttons_keyboard keyboard = { 0 };
@@ -112,8 +112,8 @@ static void test_the_current_messages_of_the_drivers_are_translated(void **state
     assert_null(strstr(out, "folder"));
 }
 
-/* Translates a message into Japanese. Two lower-case English words in sequence show that a part was
- * not translated. */
+/* Translates a message into Japanese. Fails if the result has two lower-case English words in
+ * sequence, because a part was then not translated. */
 static void expect_japanese(const char *line)
 {
     in_japanese(line);
@@ -136,8 +136,7 @@ static void test_messages_about_non_regular_files_are_translated(void **state)
     expect_japanese("was not a regular file, and was set aside");
 }
 
-/* Sets the error states of a store one after the other, and translates the message that the store
- * returns for each state. */
+/* Puts a store into each of its error states, and translates the message of each state. */
 static void test_all_messages_of_the_store_are_translated(void **state)
 {
     static const int errors[] = { SQLITE_BUSY,       SQLITE_LOCKED,      SQLITE_FULL,

@@ -1,4 +1,5 @@
-/* test_ui.c -- Tests the layout of every screen by its vertices, without a display. */
+/* test_ui.c -- Tests the layout of every screen without a display, by the vertices of the drawn
+ * rectangles. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -21,7 +22,7 @@ static int may_leave(uint32_t quad, const struct bounds *bounds)
     return batch.kinds[quad] == UI_GLOW || curtain;
 }
 
-static uint32_t longest; /* Largest number of quads of any screen that was laid out so far. */
+static uint32_t longest; /* Number of quads of the screen that needed the most quads so far. */
 
 static void check_inside(struct size size)
 {
@@ -151,7 +152,8 @@ static void test_the_middle_of_the_tank_is_uncovered_during_a_round(void **state
     }
 }
 
-/* On a screen 40 cm high, a letter of 3 % of the height is 12 mm high: 20 arc minutes from 2 m. */
+/* On a screen with a height of 40 cm, a letter of 3 % of the height is 12 mm high. Seen from 2 m,
+ * these are 20 arc minutes. */
 static void test_important_text_is_readable_from_two_metres(void **state)
 {
     (void)state;
@@ -190,14 +192,15 @@ static void test_each_offered_mode_has_a_tag_and_the_selected_tag_is_raised(void
         set_scene(PHASE_MODE_SELECT, LANGUAGE_JA, HINT_CHOOSE, 3.0f);
         scene.modes = modes;
         scene.tags = (uint8_t)mode_tags_offered(modes, true);
-        scene.pointed_tags = (uint8_t)(scene.tags & (0u - scene.tags)); /* The first tag. */
+        scene.pointed_tags = (uint8_t)(scene.tags & (0u - scene.tags)); /* The lowest set bit, which
+                                                                           is the first tag. */
         scene.choice = 0;
         while ((modes >> scene.choice & 1u) == 0) {
             scene.choice++;
         }
         scene.mode = scene.choice < MODE_COUNT ? scene.choice : MODE_FESTIVAL;
         lay_out(sizes[0]);
-        scene.tick += 60; /* The curtain needs 60 ticks to rise. */
+        scene.tick += 60; /* After 60 ticks the curtain has risen. */
         lay_out(sizes[0]);
         const uint32_t offered =
             (modes & 1u) * MODE_TAG_LEVELS + (modes >> 1 & 1u) + (modes >> 2 & 1u) + (modes >> 3);
@@ -206,7 +209,7 @@ static void test_each_offered_mode_has_a_tag_and_the_selected_tag_is_raised(void
         for (uint32_t i = 0; i < batch.quad_count; i++) {
             const float top = bounds_of(i).top;
             if (batch.kinds[i] == UI_WOOD && first_top == 0.0f) {
-                first_top = top; /* The first wooden tag belongs to the selected game mode. */
+                first_top = top; /* The first wooden tag is that of the selected game mode. */
             } else if (batch.kinds[i] == UI_WOOD) {
                 other_top = top < other_top ? top : other_top;
             }
@@ -254,13 +257,14 @@ static void test_a_rising_tag_and_a_sinking_tag_move_together(void **state)
 {
     (void)state;
     set_scene(PHASE_MODE_SELECT, LANGUAGE_JA, HINT_CHOOSE, 3.0f);
-    memory = (struct ui_memory){ .pointed = 1u }; /* The first tag has already risen. */
+    memory = (struct ui_memory){ .pointed = 1u }; /* The first tag is selected and has already
+                                                     risen. */
     lay_out(sizes[0]);
     const float high = tag_top(0), low = tag_top(1);
     assert_true(high < low - 10.0f);
     scene.pointed_tags = 2u;
     lay_out(sizes[0]);
-    /* The wooden tag of the old mode must not jump when it begins to sink. */
+    /* The tag of the mode that was selected before must begin to sink without a jump. */
     assert_float_equal(tag_top(0), high, 0.1f);
     scene.tick += 10;
     lay_out(sizes[0]);
@@ -313,7 +317,7 @@ static float area(const struct bounds *bounds)
 }
 
 /* Returns the overlap of two lines as a share of the smaller line. A text and its outline are two
- * equal lines, which count as no overlap. */
+ * lines with the same bounds, which do not count as an overlap. */
 static float shared(const struct line *a, const struct line *b)
 {
     const struct bounds both = {
@@ -409,7 +413,7 @@ static void test_every_leaderboard_fits_the_screen(void **state)
                    9.0f - moment_s);
         memory = (struct ui_memory){ 0 };
         lay_out(sizes[k % SIZE_COUNT]);
-        /* Before 0.2 s and after 8.7 s the curtain moves and may extend beyond the screen. */
+        /* Before 0.2 s and after 8.7 s, the curtain moves and may extend beyond the screen. */
         if (moment_s > 0.2f && moment_s < 8.7f) {
             check_inside(sizes[k % SIZE_COUNT]);
         }
@@ -453,7 +457,7 @@ static void test_the_name_entry_fits_every_screen(void **state)
     }
 }
 
-/* Sets a torn paper of each of the first `players` players, with all cells. */
+/* Adds a torn paper with all its cells for each of the first `players` players. */
 static void set_tears(uint32_t players, uint8_t cause, vec3 velocity_m_s)
 {
     for (uint32_t i = 0; i < players; i++) {
@@ -481,7 +485,7 @@ static void test_every_cause_of_a_tear_fits_the_result(void **state)
     }
 }
 
-/* Returns the number of quads of a result whose paper tore by `cause`. */
+/* Returns the number of quads of a result screen whose paper was torn by `cause`. */
 static uint32_t result_quads(uint8_t cause, uint8_t language)
 {
     set_scene(PHASE_RESULT, language, HINT_NONE, 4.0f);
@@ -500,7 +504,7 @@ static void test_a_tear_adds_its_load_its_picture_and_its_words(void **state)
             assert_true(result_quads(cause, language) > whole + TEAR_CELL_COUNT);
             assert_true(glyph_quads() > letters + 10u);
         }
-        /* The result of a round that is paid back shows no tear. */
+        /* The round was refunded, so its result must not show the tear. */
         result_quads(TEAR_SLAP, language);
         scene.credit.came_back = 1;
         lay_out(sizes[0]);
@@ -540,7 +544,8 @@ static void test_the_tears_of_several_players_are_shown_in_turn(void **state)
     set_match(MODE_FESTIVAL, 3, 0);
     assert_int_equal(ui_torn_player(&scene), POI_MAX);
     scene.tear[0].cause = scene.tear[2].cause = TEAR_FLAT;
-    scene.tear[3].cause = TEAR_FLAT; /* Player 4 does not play, so this tear is not shown. */
+    scene.tear[3].cause = TEAR_FLAT; /* Player 4 does not play, so the result must not show this
+                                        tear. */
     static const uint32_t shown[] = { 0, 2, 0, 2 };
     for (uint32_t i = 0; i < 4u; i++) {
         scene.phase_s = 1.0f + 3.0f * (float)i;
@@ -548,7 +553,7 @@ static void test_the_tears_of_several_players_are_shown_in_turn(void **state)
     }
 }
 
-/* Must be the last test, because `longest` is the maximum over all tests before. */
+/* This test must be the last one, because `longest` is the maximum of all tests before it. */
 static void test_the_largest_screen_leaves_quads_for_longer_languages(void **state)
 {
     (void)state;

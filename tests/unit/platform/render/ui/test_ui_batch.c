@@ -1,5 +1,5 @@
-/* test_ui_batch.c -- Tests the list of quads that the user interface draws: a full list, text
- * alignment, and the texture rectangle of each letter. */
+/* test_ui_batch.c -- Tests the list of quads (drawn rectangles) of the user interface: a full list,
+ * text alignment, and the texture rectangle of each letter. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -49,7 +49,8 @@ static void test_the_widest_letter_contains_no_texel_of_its_neighbour(void **sta
     ui_batch_clear(&batch);
     ui_text(&batch, widest, 0.0f, 300.0f, "8");
     assert_int_equal(batch.quad_count, 2); /* A letter with an outline has two quads. */
-    /* Texture filtering reads up to half a texel around a point. */
+    /* Texture filtering reads up to half a texel around a point, so each point must be half a texel
+     * inside the glyph. */
     for (uint32_t i = 0; i < 4u; i++) {
         const float right = batch.vertices[i].u - (float)glyph->x;
         const float down = batch.vertices[i].v - (float)glyph->y;

@@ -26,11 +26,12 @@ static void test_each_warning_is_one_line_and_free_play_shows_no_money(void **st
     const uint32_t free_play = glyph_quads();
     scene.credit.price = 1;
     lay_out(sizes[0]);
-    assert_true(glyph_quads() > free_play + 6u); /* The text "Credits 0" is added. */
+    assert_true(glyph_quads() > free_play + 6u); /* The text "Credits 0" must be drawn in
+                                                    addition. */
 }
 
 /* While the coin slot is locked, a warning is shown, and the hint to insert a coin must be hidden.
- * The hint for START stays, because a player with a credit can start. */
+ * The hint to press START must stay, because a player who has a credit can start. */
 static void test_no_hint_requests_a_coin_while_the_slot_is_locked(void **state)
 {
     static const uint8_t why[] = { WARN_STORE, WARN_DOOR, WARN_TILT };
@@ -52,8 +53,8 @@ static void test_no_hint_requests_a_coin_while_the_slot_is_locked(void **state)
     }
 }
 
-/* Without a poi, the coin slot is locked too and would return a coin. The result screen must not
- * show the hint to insert a coin. */
+/* Without a poi, the coin slot is locked and would return a coin. The result screen must therefore
+ * not show the hint to insert a coin. */
 static void test_no_hint_requests_a_coin_without_a_poi(void **state)
 {
     static const uint8_t with[] = { 0, WARN_STORE, WARN_DOOR, WARN_TILT };
@@ -67,7 +68,7 @@ static void test_no_hint_requests_a_coin_without_a_poi(void **state)
             scene.credit.asked_s = 1e6f;
             scene.credit.warnings = (uint8_t)(WARN_NO_POI | with[k]);
             lay_out(sizes[0]);
-            scene.tick += CORE_TICK_HZ; /* One second is enough for a new hint to fade in. */
+            scene.tick += CORE_TICK_HZ; /* A new hint fades in within one second. */
             lay_out(sizes[0]);
             letters[asks] = glyph_quads();
         }
@@ -94,8 +95,8 @@ static void test_no_hint_requests_a_dip_or_a_mouse_without_a_poi(void **state)
     lay_out(sizes[0]);
     const uint32_t quads = batch.quad_count;
     memcpy(paid, batch.vertices, sizeof paid);
-    /* Without a poi, the screen never asks for a coin. The picture is therefore the same for an
-     * unpaid and a paid credit. */
+    /* Without a poi, the screen must not request a coin. Whether the credit is unpaid must
+     * therefore make no difference to the picture. */
     scene.credit.unpaid = 0;
     lay_out(sizes[0]);
     assert_int_equal(batch.quad_count, quads);
@@ -113,8 +114,8 @@ static void test_a_partly_paid_credit_is_shown_beside_whole_credits(void **state
         scene.credit.units = 2;
         lay_out(sizes[0]);
         assert_int_equal(glyph_quads(), whole + 4u); /* The text "+ 2/3" has four letters. */
-        /* With the maximum number of credits, three coins stay units instead of becoming a credit.
-         * A fraction of 3/3 must not be shown. */
+        /* Three coins normally become a credit, but here the number of credits is already at its
+         * maximum. The three coins stay units, and a fraction of 3/3 must not be shown. */
         scene.credit.units = 3;
         lay_out(sizes[0]);
         assert_int_equal(glyph_quads(), whole);
@@ -122,7 +123,7 @@ static void test_a_partly_paid_credit_is_shown_beside_whole_credits(void **state
 }
 
 /* After a refund, the result card shows no count, praise, rank or seal. The picture must therefore
- * be the same for any catch. */
+ * be the same for any number of caught fish. */
 static void test_a_refunded_round_is_shown_without_a_count(void **state)
 {
     (void)state;
@@ -155,7 +156,7 @@ static void test_without_a_hint_no_ribbon_is_drawn(void **state)
     set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
     lay_out(sizes[0]);
     assert_true(glyph_quads() < with);
-    /* HINT_COUNT is not a known hint and has no text. */
+    /* HINT_COUNT is not a hint, so no text may be drawn for it. */
     set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_COUNT, 20.0f);
     lay_out(sizes[0]);
     assert_true(glyph_quads() < with);
@@ -172,7 +173,7 @@ static void test_a_new_hint_fades_in(void **state)
     memory = (struct ui_memory){ 0 };
     set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_DIP, 20.0f);
     lay_out(sizes[0]);
-    scene.tick += 12; /* 12 ticks are 0.1 s. */
+    scene.tick += 12; /* 12 ticks are 0.1 s, so the message has just begun to fade in. */
     lay_out(sizes[0]);
     const uint8_t early = last_opacity();
     scene.tick += 120;
@@ -201,8 +202,9 @@ static void test_a_ranked_player_gets_the_seal(void **state)
             scene.player[0].place = place;
             scene.player[0].period = period;
             lay_out(sizes[0]);
-            assert_int_equal(seals(), place > 0 ? 2 : 1); /* The result card has one seal. A ranked
-                                                             player gets a second seal. */
+            assert_int_equal(seals(), place > 0 ? 2 : 1); /* The result card always has one seal.
+                                                             The rank of a player gives a second
+                                                             seal. */
         }
     }
 }
@@ -265,7 +267,7 @@ static void test_an_announcement_is_shown_once_and_does_not_cover_the_water(void
         lay_out(sizes[0]);
         assert_true(glyph_quads() > without);
         scene.call_s = 3.0f;
-        /* Each digit of the countdown must disappear before the next digit. */
+        /* Each digit of the countdown must have disappeared before the next one appears. */
         scene.seconds_left -= call == CALL_COUNTDOWN ? 0.48f : 0.0f;
         lay_out(sizes[0]);
         assert_int_equal(glyph_quads(), without);

@@ -1,7 +1,7 @@
-/* test_ledger_file.c -- Tests the ledger file, the SQLite database of the store: its content, its
- * atomic writes, and the migration of files of older versions.
+/* test_ledger_file.c -- Tests the ledger file, which is the SQLite database of the store: its
+ * content, its atomic writes, and the migration of older files.
  *
- * The files of older versions in store/files/ were written by those versions. */
+ * The files in store/files/ were written by older versions of Kingyo. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -47,8 +47,8 @@ static void write_entry(const struct ledger_entry *entry)
     assert_int_equal(ledger_file_write(&file, entry, 1), SQLITE_OK);
 }
 
-/* Returns an entry with a different value in every field that all kinds of entries have. The fields
- * of rounds and names are 0. */
+/* Returns an entry in which all fields that every kind of entry has are different. The fields of
+ * rounds and names are 0. */
 static struct ledger_entry full_entry(uint32_t id, uint8_t kind)
 {
     return (struct ledger_entry){
@@ -299,7 +299,7 @@ static void test_only_changed_settings_are_stored(void **state)
     const struct ledger_entry volume = setting_entry(1, SET_VOLUME, 35);
     const struct ledger_entry seat = setting_entry(2, SET_CALIBRATION_END - 1, -12345);
     settings_reset(&memory.settings);
-    /* A setting that comes from a configuration file is not in the ledger and must not change. */
+    /* The price comes from a configuration file instead of the ledger, so it must not change. */
     memory.settings.value[SET_PRICE] = 3;
     open_file();
     write_entry(&volume);
@@ -372,7 +372,7 @@ static void test_replays_of_rounds_that_leave_the_ranking_are_deleted(void **sta
 {
     (void)state;
     open_file();
-    /* Each round has a larger catch than the one before. */
+    /* Each round has a larger catch than the rounds before it. */
     for (uint32_t id = 1; id <= RANK_ROWS + 1; id++) {
         struct ledger_entry entry = round_entry(id, MODE_FESTIVAL, id, 0);
         entry.round.players = 1;
@@ -425,7 +425,7 @@ static void test_migrating_a_version_1_file_keeps_its_rounds(void **state)
                      " scoops IS NULL AND hole_area_mm2 IS NULL AND torn_tick IS NULL"),
         3);
     const struct rank_row *best = file.content.memory.ranking.row[MODE_FESTIVAL][RANK_EVER];
-    /* The best round in the file has nine fish but was played by a bot, so it is not ranked. */
+    /* A bot played the best round in the file, with nine fish, so this round must not be ranked. */
     assert_int_equal(best[0].caught, 3);
     assert_int_equal(best[1].caught, 2);
     assert_int_equal(best[2].caught, 0);
@@ -460,14 +460,14 @@ static void test_migrating_a_version_2_file_keeps_rounds_and_players(void **stat
     assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][0].caught, 3);
     assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][1].round_id, 4);
     assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][2].caught, 2);
-    assert_in_range(first.day, 9460, 9461); /* Day 9460 is 2025-11-25. The local time zone may shift
-                                               the date by a day. */
-    /* A round of a bot with nine fish must not be counted. */
+    assert_in_range(first.day, 9460, 9461); /* Day 9460 is 2025-11-25. The time zone of the machine
+                                               may shift it by a day. */
+    /* The round of the bot, with nine fish, must not be counted. */
     assert_int_equal(file.content.memory.audits.count[AUDIT_CAUGHT], 34 + 3 + 5);
 }
 
-/* Asserts that the file has the content of version-3.db. The files version-4.db to version-6.db are
- * migrated copies of version-3.db. */
+/* Asserts that the file has the content of version-3.db. All files from version-4.db to
+ * version-6.db were made from this file by migration. */
 static void holds_nine_entries_and_a_replay(void)
 {
     struct ledger_entry round;
@@ -510,8 +510,8 @@ static void test_migrating_a_version_3_file_keeps_everything(void **state)
     assert_int_equal(query_number("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
 }
 
-/* Version 5 has the same tables as version 4 with new values. The version number is higher because
- * a program for version 4 would reject the new values. */
+/* Version 5 has the same tables as version 4, but new values in them. The version number was
+ * increased because programs for version 4 would reject these values. */
 static void test_migrating_a_version_4_file_keeps_everything(void **state)
 {
     (void)state;
@@ -553,7 +553,7 @@ static void test_a_flipped_bit_in_a_version_4_file_is_detected(void **state)
     take_version(4);
     open_file();
     const struct ledger_entry next = round_entry(10, MODE_FESTIVAL, 6, 0);
-    write_entry(&next); /* Writing an entry adds checksums to the file. version-4.db has none. */
+    write_entry(&next); /* This write adds checksums to the file. version-4.db has none. */
     ledger_file_close(&file);
     do_sql("PRAGMA user_version = 4; UPDATE ranking SET caught = caught + 1");
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
@@ -582,7 +582,7 @@ static void test_a_failed_migration_changes_nothing(void **state)
 {
     (void)state;
     take_version(1);
-    /* A table of this name makes a late step of the migration fail. */
+    /* A table with this name already exists, so a late step of the migration must fail. */
     do_sql("CREATE TABLE ranking (of_somebody_else)");
     assert_int_not_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
     assert_null(file.db);
@@ -595,7 +595,7 @@ static void test_a_file_of_a_later_version_is_not_changed(void **state)
 {
     (void)state;
     take_version(2);
-    /* Marks the file as written by a later version of Kingyo. The file must not be changed. */
+    /* Marks the file as written by a newer version of Kingyo. Such a file must not be changed. */
     do_sql("PRAGMA user_version = 99; PRAGMA journal_mode = WAL");
     assert_int_equal(ledger_file_open(&file, path, NULL), LEDGER_FILE_NEWER);
     assert_null(file.db);

@@ -1,5 +1,5 @@
-/* test_ledger_omit.c -- Tests the recovery after panics, which removes one part of the stored data
- * at each start: settings, then replays, then names.
+/* test_ledger_omit.c -- Tests the recovery after repeated panics. At each start one more part of
+ * the stored data is left out: settings, then replays, then names.
  *
  * The money, the PIN and the scores must stay. A copy of the database keeps all data. */
 #include <setjmp.h>
@@ -64,7 +64,7 @@ static const struct rank_row *best(void)
     return &file.content.memory.ranking.row[0][RANK_EVER][0];
 }
 
-/* Asserts that the data that are never removed are unchanged. */
+/* Asserts that the data that the recovery must never remove are unchanged. */
 static void assert_money_and_score(void)
 {
     assert_int_equal(file.content.memory.ledger.last_id, 5);

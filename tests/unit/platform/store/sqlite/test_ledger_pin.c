@@ -1,5 +1,5 @@
-/* test_ledger_pin.c -- Tests the erasure of a plain PIN. Older versions stored the digits of the
- * PIN in the database, its log, its backup and the mirror.
+/* test_ledger_pin.c -- Tests the erasure of a plain PIN. Older versions of Kingyo stored the digits
+ * of the PIN in the database, its log, its backup and the mirror.
  *
  * No byte of the digits may remain, and the PIN must still open the menu. */
 #include <errno.h>
@@ -23,11 +23,11 @@
 #define PIN 4071
 #define ENTRIES 400u /* Enough entries to fill more than four pages of the database. */
 
-/* ---- Sync functions of libc, one of which fails --------------------------------------------- */
+/* ---- Replaced sync functions of libc, one call of which can fail ---------------------------- */
 
 static uint32_t syncs;         /* Number of sync calls so far. */
-static uint32_t failing = ~0u; /* Number of the sync call that fails, from 0. No call fails by
-                                  default. */
+static uint32_t failing = ~0u; /* Index of the sync call that fails, from 0. By default no call
+                                  fails. */
 
 static int sync_or_fail(void)
 {
@@ -88,7 +88,7 @@ static int teardown(void **state)
     return rmdir(folder);
 }
 
-/* Returns an entry for a changed setting: the PIN if `id` is odd, otherwise the volume. */
+/* Returns the ledger entry of a changed setting: the PIN if `id` is odd, otherwise the volume. */
 static struct ledger_entry entry_of(uint32_t id)
 {
     return (struct ledger_entry){ .id = id,
@@ -125,16 +125,17 @@ static unsigned count_in(const char *file, const void *wanted, size_t size)
     return count;
 }
 
-/* Returns the number of rows of the settings with the plain PIN, including rows in free pages.
- * SQLite stores the PIN as an integer of two bytes, which follow the name of the setting. */
+/* Returns the number of rows of the settings table that contain the plain PIN, including deleted
+ * rows in free pages. SQLite stores the PIN as an integer of two bytes behind the name of the
+ * setting. */
 static unsigned plain_settings_in(const char *suffix)
 {
     static const uint8_t row[] = { 'p', 'i', 'n', PIN >> 8, PIN & 0xFF };
     return count_in(beside(suffix), row, sizeof row);
 }
 
-/* Returns the number of rows of the entries with the plain PIN, including rows in free pages. The
- * two bytes of the PIN follow `kind` and `detail`. */
+/* Returns the number of rows of the entries table that contain the plain PIN, including deleted
+ * rows in free pages. The two bytes of the PIN follow the columns `kind` and `detail`. */
 static unsigned plain_entries_in(const char *suffix)
 {
     static const uint8_t row[] = { LEDGER_SETTING, SET_PIN, PIN >> 8, PIN & 0xFF };
@@ -146,7 +147,7 @@ static unsigned plain_in(const char *suffix)
     return plain_settings_in(suffix) + plain_entries_in(suffix);
 }
 
-/* Runs `sql` as another program would, with secure_delete off. Deleted rows then stay in free
+/* Runs `sql` as another program would. secure_delete is off, so deleted rows stay readable in free
  * pages. */
 static void do_sql(const char *sql)
 {
@@ -157,7 +158,8 @@ static void do_sql(const char *sql)
     sqlite3_close(db);
 }
 
-/* Creates a database that has the plain PIN in the settings, in 100 entries and in free pages. */
+/* Creates a database that contains the plain PIN in the settings table, in 100 entries and in free
+ * pages. */
 static void make_old_database(void)
 {
     struct ledger_file file;
@@ -167,8 +169,8 @@ static void make_old_database(void)
     ledger_file_close(&file);
     do_sql("DELETE FROM entries WHERE id BETWEEN 101 AND 300");
     assert_int_equal(plain_settings_in(""), 1);
-    assert_true(plain_entries_in("") > 100); /* The existing rows contain the PIN 100 times. Each
-                                                further copy is in a free page. */
+    assert_true(plain_entries_in("") > 100); /* The PIN is in 100 existing rows. All further copies
+                                                are in free pages. */
 }
 
 static void test_the_plain_pin_is_erased_from_every_byte_of_an_old_database(void **state)
@@ -182,7 +184,8 @@ static void test_the_plain_pin_is_erased_from_every_byte_of_an_old_database(void
     for (uint32_t id = 1; id <= ENTRIES; id += id == 100u ? 201u : 1u) {
         struct ledger_entry entry, wanted = entry_of(id);
         wanted.value = id % 2u ? kept : wanted.value;
-        /* Reading an entry verifies its checksum, which must match the new value. */
+        /* Reading an entry verifies its checksum, so the checksum must have been updated for the
+         * new value. */
         assert_int_equal(ledger_file_entry(&file, id, &entry), 0);
         assert_memory_equal(&entry, &wanted, sizeof entry);
     }
@@ -191,25 +194,26 @@ static void test_the_plain_pin_is_erased_from_every_byte_of_an_old_database(void
     assert_int_equal(plain_in(".copy"), 0);
     ledger_file_close(&file);
     assert_int_equal(plain_in("") + plain_in("-wal"), 0);
-    /* Opening the file verifies the checksums of all tables. */
+    /* Opening the file verifies the checksums of all tables, so they must have been updated too. */
     assert_int_equal(ledger_file_open(&file, path, NULL), 0);
     assert_int_equal(file.content.memory.settings.value[SET_PIN], kept);
     ledger_file_close(&file);
 }
 
-/* Repeats the migration. In each repetition, a later sync call fails. The next start must complete
- * the migration. */
+/* Each repetition of the loop makes a later sync call fail during the migration. The next start
+ * must complete the migration. */
 static void test_a_failed_migration_is_completed_at_the_next_start(void **state)
 {
     (void)state;
     struct ledger_file file;
     uint32_t number = 0, unfinished = 0;
-    /* True if the open made at most `number` syncs, so that none has failed. */
+    /* True if opening the file made at most `number` sync calls, so that none has failed. */
     bool is_over = false;
     for (; !is_over; number++) {
         make_old_database();
         fail_sync(number);
-        ledger_file_open(&file, path, NULL); /* If the open fails, the file is already closed. */
+        ledger_file_open(&file, path, NULL); /* This call may fail, and the file is then already
+                                                closed. */
         ledger_file_close(&file);
         is_over = syncs <= number;
         fail_sync(~0u);
@@ -233,7 +237,7 @@ static void test_a_migration_blocked_by_a_reader_is_completed_at_the_next_start(
     assert_int_equal(sqlite3_exec(reader, "BEGIN; SELECT * FROM entries", NULL, NULL, NULL), 0);
     assert_int_equal(ledger_file_open(&file, path, NULL), 0);
     assert_true(pin_matches(file.content.memory.settings.value[SET_PIN], PIN));
-    /* The reader still uses the old pages, so the PIN cannot be erased yet. */
+    /* The other connection still reads the old pages, so the PIN could not be erased yet. */
     assert_true(plain_in("") > 0);
     sqlite3_close(reader);
     ledger_file_close(&file);
@@ -252,7 +256,7 @@ static void test_an_invalid_pin_setting_is_not_migrated_at_every_start(void **st
     ledger_file_close(&file);
     do_sql("DELETE FROM state; INSERT INTO settings VALUES ('pin', 10000)");
     assert_int_equal(ledger_file_open(&file, path, NULL), 0);
-    /* The value 10000 is not a PIN of four digits, so nothing was migrated. */
+    /* 10000 is not a PIN of four digits, so nothing may be migrated. */
     assert_int_equal(sqlite3_total_changes(file.db), 0);
     ledger_file_close(&file);
 }
@@ -283,8 +287,8 @@ static void test_the_plain_pin_is_erased_from_every_byte_of_the_mirror(void **st
     assert_int_equal(ledger_mirror_write(&tail, &entry, 1), 0);
     ledger_mirror_close(&tail);
     assert_int_equal(count_in(beside(".tail"), &entry, size), 1);
-    /* Reading the entry gives the hidden form of the PIN, although the file still has the
-     * digits. */
+    /* The file still contains the digits, but reading the entry must return the hidden form of the
+     * PIN. */
     tail = ledger_mirror_inspect(beside(".tail"));
     assert_true(ledger_mirror_entry(&tail, 7, &found) && pin_matches(found.value, PIN));
     ledger_mirror_close(&tail);

@@ -57,8 +57,8 @@ static void put_tail(uint32_t first, uint32_t last)
     ledger_mirror_close(&tail);
 }
 
-/* Recovers entries from `from` and from the mirror into the new database. Asserts that `entries`
- * entries were recovered and that the entries 1 to `last` exist. */
+/* Recovers the entries of the database `from` and of the mirror into a new database. Asserts that
+ * `entries` entries were recovered, and that the new database has the entries 1 to `last`. */
 static void expect_salvaged(const char *from, uint32_t last, uint32_t entries)
 {
     struct ledger_file to;
@@ -104,14 +104,14 @@ static void test_without_a_database_entries_come_from_the_mirror(void **state)
     expect_salvaged(NULL, 4, 2);
 }
 
-/* Layout of a slot in the mirror file, as in ledger_mirror.c. */
+/* Layout of an entry in the mirror file, as in ledger_mirror.c. */
 struct slot {
     uint32_t version, size;
     struct ledger_entry entry;
     uint64_t sum;
 };
 
-/* In slots of version 100, the byte of the level was padding with any value. The byte must be
+/* Mirrors of version 100 have padding with any value in the place of the level. This byte must be
  * ignored. */
 static void test_a_round_in_a_mirror_of_version_100_counts_as_master(void **state)
 {

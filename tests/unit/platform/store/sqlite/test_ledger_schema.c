@@ -1,5 +1,5 @@
-/* test_ledger_schema.c -- Tests that a database with an unknown schema object, such as a trigger,
- * is rejected in every version. Also tests that an insert that stores nothing is an error. */
+/* test_ledger_schema.c -- Tests that a database of any version is rejected if it has an unknown
+ * schema object, such as a trigger. Also tests that an insert that stores nothing is an error. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -40,8 +40,8 @@ static void test_a_foreign_schema_object_is_rejected_in_every_version(void **sta
         for (size_t i = 0; i < ADDITION_COUNT; i++) {
             take_version(version);
             if (i + 1u == ADDITION_COUNT && version == 1) {
-                continue; /* Version 1 has only one table. Without any table, the file counts as
-                             new. */
+                continue; /* Version 1 has only one table. Without this table, the file would count
+                             as new. */
             }
             do_sql(additions[i]);
             assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
@@ -117,7 +117,7 @@ static void test_an_insert_that_stores_nothing_is_an_error(void **state)
     sqlite3_stmt *put;
     do_sql("CREATE TABLE numbers (number); CREATE TRIGGER t BEFORE INSERT ON numbers"
            " BEGIN SELECT RAISE(IGNORE); END");
-    /* In a normal connection, the trigger runs and discards each insert. */
+    /* Normally, SQLite runs the trigger, which discards each insert. */
     assert_int_equal(sqlite3_open(path, &db), SQLITE_OK);
     sqlite3_prepare_v2(db, "INSERT INTO numbers VALUES (?)", -1, &put, NULL);
     assert_int_equal(sql_put_one(put, &number, 1), SQLITE_CORRUPT);
@@ -126,7 +126,7 @@ static void test_an_insert_that_stores_nothing_is_an_error(void **state)
     sqlite3_close(db);
     assert_int_equal(sql_open(path, SQLITE_OPEN_READWRITE, NULL, &db), SQLITE_OK);
     sqlite3_prepare_v2(db, "INSERT INTO numbers VALUES (?)", -1, &put, NULL);
-    /* sql_open() disables triggers, so the insert succeeds. */
+    /* sql_open() has disabled triggers, so the insert succeeds. */
     assert_int_equal(sql_put_one(put, &number, 1), SQLITE_OK);
     sqlite3_finalize(put);
     assert_int_equal(sql_number(db, "SELECT count(*) FROM numbers", &count), SQLITE_OK);
@@ -175,11 +175,11 @@ static void test_the_defensive_options_of_sqlite_are_enabled(void **state)
     assert_int_not_equal(sql_run(file.db, "ATTACH '/tmp/kingyo-never.db' AS other"), SQLITE_OK);
 }
 
-/* ---- Tests of files that are not regular files ---------------------------------------------- */
+/* ---- Tests of files other than regular files ------------------------------------------------ */
 
 static void is_refused(const char *name)
 {
-    alarm(10); /* Ends the test if the open of a FIFO blocks. */
+    alarm(10); /* alarm() ends the test if opening a FIFO blocks. */
     assert_int_not_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
     ledger_file_close(&file);
     assert_int_not_equal(ledger_file_inspect(&file, path), SQLITE_OK);
@@ -200,11 +200,11 @@ static void test_only_regular_files_are_opened_as_a_database(void **state)
     take_version(LEDGER_FILE_VERSION);
 }
 
-/* Asserts that the database cannot be opened or can only be read, because the log at `name` is not
- * a regular file. */
+/* Asserts that the database cannot be opened, or can only be read, if its log `name` is not a
+ * regular file. */
 static void cannot_be_written(const char *name)
 {
-    alarm(10); /* Ends the test if the open of a FIFO blocks. */
+    alarm(10); /* alarm() ends the test if opening a FIFO blocks. */
     const int code = ledger_file_open(&file, path, NULL);
     assert_true(code != SQLITE_OK || file.refusal != 0);
     ledger_file_close(&file);

@@ -402,8 +402,9 @@ static void test_the_quit_confirmation_is_readable_over_the_tank(void **state)
     assert_true(count_kind(UI_GLYPH) > without + 15u);
 }
 
-/* In practice mode, the legend of the paper colours is 256 units wide, 18 units from the right
- * edge, and ends 204 units below the top. No letter of the confirmation may overlap the legend. */
+/* During practice, a legend of the paper colours is shown at the right edge. The legend is 256
+ * units wide, 18 units from the edge, and ends 204 units below the top. No letter of the
+ * confirmation may overlap it. */
 static void test_the_quit_confirmation_does_not_overlap_the_practice_plates(void **state)
 {
     (void)state;
@@ -413,7 +414,7 @@ static void test_the_quit_confirmation_does_not_overlap_the_practice_plates(void
         const float unit = fminf(sizes[size].height / 720.0f, width / 860.0f);
         const float left = width - 274.0f * unit, y = 0.215f * sizes[size].height;
         if (y > 240.0f * unit) {
-            continue; /* On a portrait screen the confirmation is below the legend. */
+            continue; /* On a portrait screen, the confirmation lies below the legend. */
         }
         memset(&scene, 0, sizeof scene);
         scene.phase = PHASE_ROUND;
@@ -460,7 +461,8 @@ static uint32_t quads_of(uint8_t page)
     return batch.quad_count;
 }
 
-/* Each page on the path to the warning shows a mark, so that an operator finds the warning. */
+/* Each page on the path to the page of the warning shows a mark, so that the operator finds the
+ * warning. */
 static void test_an_open_warning_marks_the_path_to_its_page(void **state)
 {
     static const uint8_t pages[] = { MENU_TOP, MENU_UPKEEP };
@@ -480,7 +482,7 @@ static void test_an_open_warning_marks_the_path_to_its_page(void **state)
     }
 }
 
-/* The files page reports how many scores have lost their replay. */
+/* The page of the data files must report how many scores have lost their replay. */
 static void test_unstored_replays_are_shown_on_the_slip_of_the_store(void **state)
 {
     (void)state;
