@@ -41,6 +41,7 @@ static void open_world(struct core *core)
     memset(&core->game, 0, sizeof core->game);
     memset(&core->world, 0, sizeof core->world);
     game_init(&core->game, &core->config);
+    lesson_init(&core->lessons);
     table_setup_open(core->game.control, &core->game, &core->world, &core->config);
     if (table_setup_modes(&core->config) == 1u << CHOICE_LAB && core->config.credit_coins == 0 &&
         core->config.session.tick == 0) {
@@ -276,6 +277,7 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
     struct catch_result caught[POI_MAX] = { 0 };
 
     game_tick(&core->game, &core->world, &core->config, input, output, targets, live);
+    lesson_tick(&core->lessons, &core->game, &core->world);
     tick_pois(core, input, targets, live);
     tick_water(core, live);
     tick_fish(core, input);

@@ -11,6 +11,7 @@
 
 #include "core/config.h"
 #include "core/game/game.h"
+#include "core/game/lesson/lesson.h"
 #include "core/input.h"
 #include "core/output.h"
 #include "core/poi/world.h"
@@ -34,6 +35,7 @@ struct core {
     struct core_config config;
     struct game game;
     struct world world;
+    struct lessons lessons; /* For display only; no hash contains the lessons. */
 };
 
 /* Initializes `core` from `config` in attract mode. Returns CORE_OK, or CORE_ERR_RANGE or

@@ -178,6 +178,7 @@ static void show_players(const struct core *core, struct scene *scene)
             .level = player->level,
             .has_present = core->game.phase == PHASE_RESULT && album_has_present(&core->game, i),
         };
+        lesson_show(&core->lessons, &core->game, &core->world, i, &scene->lesson[i]);
         scene->tear[i] = (struct scene_tear){ 0 };
         if (core->game.phase == PHASE_RESULT) {
             tear_clip_show(&core->world.tear_clip[i], core->game.tick - core->game.phase_tick,

@@ -129,6 +129,14 @@ struct scene_pump {
     vec3 stone_m; /* Position of the air stone on the tank's floor. */
 };
 
+/* Lesson of one player (core/game/lesson/lesson.h): aids that are drawn in the tank. */
+struct scene_lesson {
+    uint8_t marks_fish;     /* 1 if a ring marks the fish `fish`, otherwise 0. */
+    uint8_t points_to_bowl; /* 1 if an arrow points from the poi to the bowl, otherwise 0. */
+    uint16_t fish;          /* Index of the marked fish. */
+    float mark_s;           /* Seconds since the fish was marked. */
+};
+
 /* A fan held over the water, with its shadow. */
 struct scene_fan {
     uint8_t present;
@@ -332,6 +340,7 @@ struct scene {
         uint8_t has_present;
     } player[POI_MAX];
     struct scene_tear tear[POI_MAX];
+    struct scene_lesson lesson[POI_MAX];
 
     struct scene_credit credit;
     /* 1 if TEST was pressed in a round, so a second press ends the round; otherwise 0. */

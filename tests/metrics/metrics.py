@@ -56,6 +56,7 @@ FEATURE_LINES = {
     'levels by a tag with a picture': 406,
     'a fish as a present': 93,
     'a lifted fish that thrashes, and water that runs off the paper': 50,
+    'lessons: a ring around an easy fish, and an arrow to the bowl': 206,
     'a bound for the rewritten part of the write-ahead log': 24,
 }
 

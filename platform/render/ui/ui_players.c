@@ -2,7 +2,6 @@
 #include <math.h>
 
 #include "core/base/panic.h"
-#include "core/view.h"
 #include "platform/render/ui/ui_widgets.h"
 
 /* Time in seconds for which the number of caught fish is enlarged after a catch. */
@@ -149,19 +148,10 @@ void ui_bowl_marks(const struct ui_frame *frame, float alpha)
     for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
         const bool is_wanted = scene->phase == PHASE_READY || scene->player[i].plays;
         if (is_wanted && scene->bowl[i].present) {
-            /* Computes the position of the bowl on the screen in pixels from its position in the
-             * tank. */
-            const float aspect = frame->width / frame->height;
-            const float tan_y = view_half_height_tan(&scene->view, aspect);
-            const struct basis axes = view_basis(&scene->view);
-            const vec3 seen = v3_sub(scene->bowl[i].position_m, scene->view.eye_m);
-            const float away = fmaxf(-v3_dot(seen, axes.back), 0.01f);
-            const float x =
-                0.5f * frame->width * (1.0f + v3_dot(seen, axes.right) / (away * tan_y * aspect));
-            const float y = 0.5f * frame->height * (1.0f - v3_dot(seen, axes.up) / (away * tan_y));
+            const struct ui_point at = ui_project(frame, scene->bowl[i].position_m);
             frame->batch->opacity = alpha;
-            ui_player_mark(frame, fminf(fmaxf(x, edge), frame->width - edge),
-                           fminf(fmaxf(y, edge), frame->height - edge), radius, i);
+            ui_player_mark(frame, fminf(fmaxf(at.x, edge), frame->width - edge),
+                           fminf(fmaxf(at.y, edge), frame->height - edge), radius, i);
         }
     }
     frame->batch->opacity = 1.0f;

@@ -68,6 +68,14 @@ uint32_t ui_fade(uint32_t colour, float alpha);
 /* Returns a smooth pulse from 0 to 1 and back to 0 with period `period_s`. */
 float ui_pulse(float time_s, float period_s);
 
+/* Point on the screen in pixels, with the length of a metre there that lies across the view. */
+struct ui_point {
+    float x, y, px_per_m;
+};
+/* Returns where the point `at_m` of the tank is on the screen. The point may be outside the
+ * screen. */
+struct ui_point ui_project(const struct ui_frame *frame, vec3 at_m);
+
 /* Returns the text with the key `key` in the language of the screen. */
 const char *ui_words(const struct ui_frame *frame, enum text_key key);
 

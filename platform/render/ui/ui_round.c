@@ -252,6 +252,7 @@ void ui_round(const struct ui_frame *frame)
 {
     const struct scene *const scene = frame->scene;
     float bottom = 104.0f * frame->unit;
+    ui_lessons(frame);
     if (ui_player_count(scene) > 1u) {
         bottom = fmaxf(bottom, ui_player_plates(frame, state_plate(frame, 0, false)));
     } else {

@@ -91,6 +91,9 @@ float ui_player_plates(const struct ui_frame *frame, float right_px);
  * the players of the round have a number. */
 void ui_bowl_marks(const struct ui_frame *frame, float alpha);
 
+/* Draws the lessons of all players into the tank: rings around fish, and arrows to the bowls. */
+void ui_lessons(const struct ui_frame *frame);
+
 /* Draws over all other drawings: the stallkeeper's announcements, the umpire's foul signs, and the
  * pause after a loss of controller input. */
 void ui_umpire(const struct ui_frame *frame);

@@ -1,0 +1,135 @@
+/* test_ui_lesson.c -- tests where the lessons are drawn: the ring around a fish, and the arrow to
+ * the bowl. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/tank/preset.h"
+#include "platform/render/ui/ui_primitives.h"
+#include "tests/unit/support/ui_fixture.h"
+
+/* Sets up a round in the festival tank, with the poi of each player at the left and the bowls at
+ * the right. */
+static void set_round(uint32_t players)
+{
+    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
+    set_match(MODE_FESTIVAL, players, 0);
+    scene.view = tank_preset(TANK_PRESET_FESTIVAL)->view;
+    scene.fish_count = 4;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        scene.player[i].lost = scene.player[i].out = 0;
+        scene.player[i].foul_s = 60.0f;
+        scene.poi[i].position_m = v3(-0.25f, 0.035f, 0.05f * (float)i);
+        scene.poi[i].ring_radius_m = 0.04f;
+        scene.bowl[i] = (struct scene_bowl){ .present = i < players,
+                                             .position_m = v3(0.25f, 0.01f, 0.0f),
+                                             .radius_m = 0.08f };
+        scene.fish[i].position_m = v3(-0.1f + 0.05f * (float)i, -0.02f, 0.05f);
+        scene.fish[i].length_m = 0.045f;
+    }
+}
+
+static struct ui_point project(struct size size, vec3 at_m)
+{
+    const struct ui_frame frame = { .scene = &scene, .width = size.width, .height = size.height };
+    return ui_project(&frame, at_m);
+}
+
+/* Returns the number of rings whose centre is at most 1 px from `at`. */
+static uint32_t rings_at(struct ui_point at)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        const struct bounds b = bounds_of(i);
+        const float x = 0.5f * (b.left + b.right) - at.x, y = 0.5f * (b.top + b.bottom) - at.y;
+        count += batch.kinds[i] == UI_RING && x * x + y * y < 1.0f;
+    }
+    return count;
+}
+
+static void test_the_ring_is_around_the_marked_fish(void **state)
+{
+    (void)state;
+    set_round(1);
+    for (uint32_t i = 0; i < SIZE_COUNT; i++) {
+        const struct ui_point at = project(sizes[i], scene.fish[2].position_m);
+        scene.lesson[0] = (struct scene_lesson){ 0 };
+        lay_out(sizes[i]);
+        assert_int_equal(rings_at(at), 0);
+        scene.lesson[0] = (struct scene_lesson){ .marks_fish = 1, .fish = 2, .mark_s = 1.0f };
+        lay_out(sizes[i]);
+        assert_int_equal(rings_at(at), 2); /* The ring and its shadow. */
+    }
+}
+
+static void test_the_rings_of_several_players_have_their_numbers(void **state)
+{
+    (void)state;
+    uint32_t glyphs[2];
+    set_round(4);
+    lay_out(sizes[0]);
+    glyphs[0] = glyph_quads();
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        scene.lesson[i] =
+            (struct scene_lesson){ .marks_fish = 1, .fish = (uint16_t)i, .mark_s = 1.0f };
+    }
+    lay_out(sizes[0]);
+    glyphs[1] = glyph_quads();
+    assert_int_equal(glyphs[1] - glyphs[0], POI_MAX);
+    assert_int_equal(batch.dropped_count, 0);
+}
+
+static void test_the_arrow_runs_from_the_poi_to_the_bowl(void **state)
+{
+    (void)state;
+    set_round(1);
+    for (uint32_t i = 0; i < SIZE_COUNT; i++) {
+        const struct ui_point poi = project(sizes[i], scene.poi[0].position_m);
+        const struct ui_point bowl = project(sizes[i], scene.bowl[0].position_m);
+        scene.lesson[0].points_to_bowl = 0;
+        lay_out(sizes[i]);
+        const uint32_t without = batch.quad_count;
+        assert_int_equal(rings_at(bowl), 0);
+        scene.lesson[0].points_to_bowl = 1;
+        lay_out(sizes[i]);
+        assert_true(batch.quad_count >= without + 9u); /* Two chevrons, and the ring. */
+        assert_int_equal(rings_at(bowl), 1);
+        /* No part of the layout other than the arrow is between poi and bowl. */
+        uint32_t between = 0;
+        for (uint32_t k = 0; k < batch.quad_count; k++) {
+            const struct bounds b = bounds_of(k);
+            between += batch.kinds[k] == UI_PANEL && b.left > poi.x && b.right < bowl.x &&
+                       b.top > fminf(poi.y, bowl.y) - 30.0f * poi.px_per_m * 0.001f &&
+                       b.bottom < fmaxf(poi.y, bowl.y) + 30.0f * poi.px_per_m * 0.001f;
+        }
+        assert_true(between >= 8u);
+    }
+}
+
+static void test_the_lessons_of_four_players_fit_the_batch(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < SIZE_COUNT; i++) {
+        set_round(4);
+        for (uint32_t k = 0; k < POI_MAX; k++) {
+            scene.lesson[k].points_to_bowl = 1;
+        }
+        lay_out(sizes[i]);
+        assert_int_equal(batch.dropped_count, 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_ring_is_around_the_marked_fish),
+        cmocka_unit_test(test_the_rings_of_several_players_have_their_numbers),
+        cmocka_unit_test(test_the_arrow_runs_from_the_poi_to_the_bowl),
+        cmocka_unit_test(test_the_lessons_of_four_players_fit_the_batch),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
