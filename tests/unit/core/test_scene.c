@@ -1,5 +1,5 @@
-/* test_scene.c -- checks that the scene, which the renderer draws, shows the state of the core, and
- * that computing it does not change the state. */
+/* test_scene.c -- checks that the scene, which the renderer draws, shows the state of the core.
+ * Computing the scene must not change the state. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,7 +23,8 @@ static int setup(void **state)
         .language = LANGUAGE_EN,
     };
     assert_int_equal(core_init(&core, &config), CORE_OK);
-    /* Fills the scene with the byte 0xa5, because core_scene() must overwrite every field. */
+    /* Fills the scene with the byte 0xa5 before each test, so that a field that core_scene() does
+     * not write is detected. */
     memset(&scene, 0xa5, sizeof scene);
     return 0;
 }
@@ -41,7 +42,8 @@ static void tick(uint32_t count)
 static void test_the_shape_of_every_fish_follows_its_age(void **state)
 {
     (void)state;
-    /* A fish that is small for its age must have the shape of its age. */
+    /* Makes fish 0 too small for its age. The scene must still show it with the shape of its
+     * age. */
     core.world.tank.fish[0].age_days = 60.0f;
     core.world.tank.fish[0].length_m = 0.02f;
     core_scene(&core, &scene);
@@ -52,7 +54,7 @@ static void test_the_shape_of_every_fish_follows_its_age(void **state)
         assert_float_equal(fish->age_days, core.world.tank.fish[i].age_days, 0.0f);
         assert_float_equal(fish->progress, life_progress(&species_wakin.card, fish->age_days),
                            0.0f);
-        if (i > 0) { /* All fish except fish 0 have the length of their age. */
+        if (i > 0) { /* All fish except fish 0 have the length that belongs to their age. */
             assert_float_equal(length_m, fish->length_m, 1e-3f * length_m);
         }
     }
@@ -67,8 +69,8 @@ static void test_the_fish_of_a_festival_have_many_ages(void **state)
         youngest = f_min(youngest, scene.fish[i].progress);
         oldest = f_max(oldest, scene.fish[i].progress);
     }
-    /* The growth progress (0 at hatching, 1 at the last key) of the youngest and of the oldest fish
-     * differs by more than 0.1. */
+    /* The growth progress (0 at hatching, 1 at the last key shape) of the oldest fish must exceed
+     * that of the youngest fish by more than 0.1. */
     assert_true(oldest - youngest > 0.1f);
 }
 
@@ -153,7 +155,8 @@ static void test_paper_shows_wetness_damage_and_holes(void **state)
     assert_int_equal(scene.poi[0].wetness[middle], 255);
     assert_int_equal(scene.poi[0].wetness[middle + 1u], 0);
     assert_int_equal(scene.poi[0].integrity[middle], 255);
-    /* A value of 0 means a hole, so nearly torn paper must have at least 1. */
+    /* The scene uses the value 0 for a hole, so paper that is nearly torn must have at least the
+     * value 1. */
     assert_int_equal(scene.poi[0].integrity[middle + 1u], 1);
     assert_int_equal(scene.poi[0].integrity[middle + 2u], 0);
 }
@@ -174,7 +177,8 @@ static void test_a_poi_is_shown_with_its_position_belly_and_remaining_paper(void
     assert_float_equal(shown->ring_radius_m, POI_RADIUS_M, 0.0f);
     assert_float_equal(shown->sag_m, 0.0021f, 0.0f);
     assert_float_equal(shown->paper_left, 1.0f, 0.0f);
-    poi->sheet.sag_m = -0.0013f; /* A negative sag is paper that water from below bulges upward. */
+    /* A negative sag means that water from below bulges the paper upward. */
+    poi->sheet.sag_m = -0.0013f;
     core_scene(&core, &scene);
     assert_float_equal(shown->sag_m, -0.0013f, 0.0f);
 }
@@ -203,8 +207,8 @@ static void test_paper_shows_its_stress_and_holes_show_none(void **state)
     assert_int_equal(scene.poi[0].stress[middle], 255);
     assert_int_equal(scene.poi[0].stress[middle + 1u], 0);
     assert_int_equal(scene.poi[0].stress[middle + 2u], 40);
-    /* A cell outside the ring gets the stress of the nearest paper, so that the colour continues to
-     * the edge. */
+    /* A cell outside the ring must get the stress of the nearest paper, so that the colour
+     * continues to the edge of the picture. */
     assert_int_equal(scene.poi[0].stress[SHEET_SIDE / 4u * SHEET_SIDE], 40);
 }
 
@@ -263,7 +267,8 @@ static void test_every_mode_shows_its_time_and_paper(void **state)
     core.config.round_s = 90;
     core_scene(&core, &scene);
     assert_int_equal(scene.offer[MODE_FESTIVAL].grade, 4);
-    /* The rules of the championship prescribe paper of grade 5, whatever the operator has set. */
+    /* The championship always uses paper of grade 5, as its rules prescribe, whatever grade the
+     * operator has set. */
     assert_int_equal(scene.offer[MODE_CHAMPIONSHIP].grade, 5);
     assert_int_equal(scene.offer[MODE_PRACTICE].round_s, 90);
 }

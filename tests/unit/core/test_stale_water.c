@@ -1,6 +1,6 @@
-/* test_stale_water.c -- checks the pump and the oxygen of the water. Without players the oxygen
- * falls until fish rise to the surface, and the pump then restores it. A round starts in refreshed
- * water. */
+/* test_stale_water.c -- checks the oxygen of the water and the pump that restores it. Without
+ * players the oxygen falls until fish rise to the surface, and then the pump starts. A round always
+ * starts in refreshed water. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -69,8 +69,8 @@ static void test_fish_rise_for_air_and_dive_again_in_attract(void **state)
         run(5);
         const uint32_t count = surfacing_count(&core.world.tank);
         if (second < 80) {
-            /* At 4 mg/L of oxygen, only one of 4,000 choices of a gait is the choice to rise, so at
-             * most one fish is at the surface. */
+            /* While the water still has 4 mg/L of oxygen, a fish chooses to rise in only one of
+             * 4,000 choices of a gait. At most one fish may therefore be at the surface. */
             assert_true(count <= 1);
         }
         most = count > most ? count : most;
@@ -89,7 +89,7 @@ static void test_a_round_that_starts_in_stale_water_ends_with_gulping_fish(void 
     core.world.tank.oxygen.dissolved_mg_l = 2.0f;
     run(5);
     const float stale_mg_l = core.world.tank.oxygen.dissolved_mg_l;
-    /* The poi is only held over a corner of the tank, so that the paper lasts for the round and no
+    /* Holds the poi over a corner of the tank for the whole round, so that the paper lasts and no
      * fish is caught. */
     input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(-0.35f, 0.15f, 0.2f);

@@ -1,5 +1,5 @@
-/* test_stall.c -- checks with four players who move at random that no fish is lost, duplicated or
- * in two places. */
+/* test_stall.c -- checks that no fish is lost, duplicated or in two places while four players move
+ * at random. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -22,8 +22,8 @@ static float draw(uint32_t tick, uint32_t which, float low, float high)
     return rng_range((struct rng_key){ 5, tick, which, RNG_TEST }, low, high);
 }
 
-/* Gives each player a new random target every half second: in the water, above it, or over the
- * bowl. The poi moves there as fast as an arm can, at any angle. */
+/* Gives the player a new random target every half second: in the water, above it, or over the bowl.
+ * The poi moves to the target as fast as an arm can, at any angle. */
 static void lead(uint32_t player, uint32_t tick)
 {
     struct poi_input *poi = &input.poi[player];
@@ -50,8 +50,8 @@ static void lead(uint32_t player, uint32_t tick)
     poi->target.angles.roll_rad = f_lerp(poi->target.angles.roll_rad, goal[player].roll_rad, 0.05f);
 }
 
-/* Checks that every fish either swims, is carried by one poi or lies in one bowl, and that the fish
- * count of each bowl is correct. */
+/* Checks that every fish either swims, is carried by exactly one poi, or lies in exactly one bowl.
+ * Checks also that the fish count of each bowl is correct. */
 static void count_all(void)
 {
     uint32_t ridden[FISH] = { 0 }, bowled[POI_MAX] = { 0 };
@@ -95,7 +95,8 @@ static void test_a_minute_of_four_random_pois_creates_and_loses_no_fish(void **s
                                         .players = POI_MAX,
                                         .grade = 4,
                                         .round_s = 60,
-                                        /* Practice mode, in which torn paper is replaced. */
+                                        /* Uses practice mode, because torn paper is replaced in
+                                         * this mode. */
                                         .modes = 1u << MODE_PRACTICE };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     for (uint32_t tick = 0; tick < 64u * CORE_TICK_HZ; tick++) {
@@ -135,7 +136,7 @@ static void test_each_player_has_a_bowl_at_its_own_place(void **state)
     }
 }
 
-/* Fewer than 1 % of the fish may start more than 5 mm deep in the hull of a bowl. */
+/* At the start, fewer than 1 % of the fish may be more than 5 mm deep in the hull of a bowl. */
 static void test_fish_start_clear_of_every_bowl(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_view.c -- checks that the world point computed for a pointer is the point that the camera
- * shows at the pointer. */
+/* test_view.c -- checks the point of the world that is computed for the position of a pointer. The
+ * camera must show this point at the pointer. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -17,7 +17,7 @@ static const struct view above = {
     .aspect_min = 1.6f,
 };
 
-/* Projects a point of the world to the screen, as the renderer does. */
+/* Projects a point of the world to the screen, as the renderer does it. */
 static void project(const struct view *view, float aspect, vec3 point, float *x, float *y)
 {
     const struct basis axes = view_basis(view);

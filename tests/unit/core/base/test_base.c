@@ -87,8 +87,8 @@ static void test_a_random_number_depends_on_its_key_alone(void **state)
     assert_int_not_equal(rng_u32((struct rng_key){ 1, 2, 3, 5 }), first);
 }
 
-/* Applies a chi-squared test with 64 bins (63 degrees of freedom). For uniform numbers, the
- * probability of a value above 110 is below 1 in 4,000. */
+/* Applies a chi-squared test with 64 bins (63 degrees of freedom). For uniform numbers, a
+ * chi-squared value above 110 has a probability of less than 1 in 4,000. */
 static void test_uniform_numbers_fill_their_range_evenly(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_field.c -- checks that a struct is hashed and its members are visited according to its table
- * of members. */
+/* test_field.c -- checks the tables of the members of a struct: their members must be visited in
+ * order, and the hash must use each of them. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

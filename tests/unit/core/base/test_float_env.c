@@ -1,6 +1,6 @@
-/* test_float_env.c -- checks that a library that changes the floating-point mode cannot change the
- * state's hash. The core refuses to run in a wrong mode, and the kiosk resets the mode before each
- * frame. */
+/* test_float_env.c -- checks that the state's hash stays the same if a library changes the
+ * floating-point mode. The core refuses to run in a wrong mode, and the kiosk resets the mode
+ * before each frame. */
 #include <fenv.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -27,7 +27,7 @@ static const struct kiosk_config config = { .core = { .seed = 3, .fish_count = 2
 #define MODE_COUNT_HERE 3
 #endif
 
-/* Sets one of the wrong floating-point modes in the calling thread. */
+/* Sets the wrong floating-point mode number `mode` in the calling thread. */
 static void leave_mode(int mode)
 {
     static const int directions[] = { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO };
@@ -115,8 +115,8 @@ static void test_the_first_tick_of_a_second_is_rejected_in_a_wrong_mode(void **s
 
 /* ---- The frame loop ------------------------------------------------------------------------- */
 
-/* Wrong floating-point mode that the simulated display sets after each picture; -1 means that the
- * display changes no mode. */
+/* Number of the wrong floating-point mode that the simulated display sets after each picture. -1
+ * means that the display does not change the mode. */
 static int mode_left = -1;
 
 static int present(void *self, const struct scene *scene)
@@ -130,7 +130,8 @@ static int present(void *self, const struct scene *scene)
 }
 
 /* Plays `frames` frames with a display that sets the wrong mode `mode` after each picture; -1 means
- * none. Returns the state's hash. */
+ * that it does not change the mode. Returns the state's hash, and writes how often the kiosk reset
+ * the mode to `resets`. */
 static uint64_t play(int mode, uint32_t frames, uint32_t *resets)
 {
     static struct kiosk kiosk;
@@ -162,8 +163,8 @@ static void test_a_library_that_leaves_a_wrong_mode_in_each_frame_changes_no_has
     assert_int_equal(resets, 0);
     for (int mode = 0; mode < MODE_COUNT_HERE; mode++) {
         assert_true(play(mode, 600, &resets) == hash);
-        /* The kiosk must reset the floating-point mode before each of the 600 frames except the
-         * first. */
+        /* The display sets a wrong mode after each of the 600 frames, so the kiosk must reset the
+         * mode before each frame except the first. */
         assert_int_equal(resets, 599);
     }
 }

@@ -1,5 +1,5 @@
-/* test_fmath.c -- compares the core's mathematical functions with the host's libm, within the
- * documented errors. */
+/* test_fmath.c -- checks that the core's mathematical functions differ from the host's libm by at
+ * most their documented errors. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -90,8 +90,8 @@ static void test_floor_rounds_toward_minus_infinity(void **state)
     assert_true(f_floor(0.0f) == 0.0f);
     assert_true(f_floor(8388607.5f) == 8388607.0f);
     assert_true(f_floor(-8388607.5f) == -8388608.0f);
-    /* These values are beyond the range of int32_t, so a conversion to int32_t would give a wrong
-     * result. */
+    /* These values are outside the range of int32_t. A function that converted them to int32_t
+     * would return a wrong result. */
     assert_true(f_floor(3e9f) == 3e9f);
     assert_true(f_floor(-3e38f) == -3e38f);
 }

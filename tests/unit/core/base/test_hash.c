@@ -1,4 +1,4 @@
-/* test_hash.c -- checks the hash with which states are compared. */
+/* test_hash.c -- checks the hash function with which states are compared (FNV-1a). */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -23,10 +23,10 @@ static void test_plain_text_of_any_script_is_kept(void **state)
     (void)state;
     expect("", "");
     expect("Kingyo ~!", "Kingyo ~!");
-    /* Kanji, an e with acute accent and a fish emoji. */
+    /* The text contains Kanji, an e with an acute accent and a fish emoji. */
     expect("\xE9\x87\x91\xE9\xAD\x9A \xC3\xA9 \xF0\x9F\x90\x9F",
            "\xE9\x87\x91\xE9\xAD\x9A \xC3\xA9 \xF0\x9F\x90\x9F");
-    /* The first and last character of each permitted range of code points. */
+    /* The text contains the first and the last character of each permitted range of code points. */
     expect("\xC2\xA0\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF",
            "\xC2\xA0\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF");
 }
@@ -35,7 +35,8 @@ static void test_each_control_character_becomes_one_question_mark(void **state)
 {
     (void)state;
     expect("a\033[31mb\r\n\tc\x7F", "a?[31mb???c?");
-    /* U+009B, a C1 control character, starts a terminal control sequence. */
+    /* These are C1 control characters. The last pair begins with U+009B, which starts a terminal
+     * control sequence. */
     expect("\xC2\x80\xC2\x85\xC2\x9B"
            "1m\xC2\x9F",
            "???1m?");
@@ -61,10 +62,11 @@ static void test_every_c0_and_c1_character_is_replaced(void **state)
 static void test_bidirectional_controls_are_replaced(void **state)
 {
     (void)state;
-    expect("\xD8\x9C\xE2\x80\x8E\xE2\x80\x8F", "???"); /* U+061C, U+200E, U+200F */
+    expect("\xD8\x9C\xE2\x80\x8E\xE2\x80\x8F", "???"); /* U+061C, U+200E and U+200F are direction
+                                                          marks. */
     expect("\xE2\x80\xAA\xE2\x80\xAE", "??");          /* U+202A, U+202E */
     expect("\xE2\x81\xA6\xE2\x81\xA9", "??");          /* U+2066, U+2069 */
-    /* The code points next to the replaced ones are permitted. */
+    /* The code points just beside the replaced ranges are permitted. */
     expect("\xE2\x80\x8D\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA",
            "\xE2\x80\x8D\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA");
 }
@@ -72,17 +74,20 @@ static void test_bidirectional_controls_are_replaced(void **state)
 static void test_each_byte_that_is_not_utf8_becomes_one_question_mark(void **state)
 {
     (void)state;
-    /* 0x9B is a C1 control character in Latin 1, but no valid UTF-8 character. */
+    /* In Latin 1, the byte 0x9B is a C1 control character. In UTF-8, the byte alone is invalid. */
     expect("a\x9B"
            "b",
            "a?b");
-    /* An overlong encoding of '/': two bytes for a character that needs only one. */
+    /* The overlong encoding of '/' has two bytes, although this character needs only one. */
     expect("\xC0\xAF", "??");
     expect("\xE0\x80\xAF", "???");
-    expect("\xED\xA0\x80", "???");      /* Surrogate U+D800, which is not valid in UTF-8. */
-    expect("\xF4\x90\x80\x80", "????"); /* U+110000, which is above the last code point U+10FFFF. */
+    /* Surrogate U+D800. Surrogates are not valid in UTF-8. */
+    expect("\xED\xA0\x80", "???");
+    /* U+110000, which is beyond the last code point U+10FFFF. */
+    expect("\xF4\x90\x80\x80", "????");
     expect("\xF8\x88\x80\x80\x80", "?????");
-    expect("a\xE9\x87", "a??"); /* The first two bytes of a three-byte character. */
+    /* First two bytes of a three-byte character, whose third byte is missing. */
+    expect("a\xE9\x87", "a??");
     expect("\xE9\x87\033", "???");
     expect("\xC3", "?");
 }

@@ -33,7 +33,8 @@ static float special(uint32_t which)
     return values[which % (sizeof values / sizeof values[0])];
 }
 
-/* Returns a value with a magnitude from 1e-6 to 1e3, or one time in 16 a special value. */
+/* Returns a value with a magnitude from 1e-6 to 1e3. One time in 16, returns a special value
+ * instead. */
 static float value(uint32_t round, uint32_t who)
 {
     const struct rng_key kind = { 1, round, who, RNG_TEST }, size = { 2, round, who, RNG_TEST };
@@ -154,8 +155,8 @@ static void test_a_mask_selects_and_counts_by_lane(void **state)
     }
 }
 
-/* A quad is four successive floats of a record. Here records have 7 floats, and the quad is the
- * members 2 to 5. */
+/* A quad is four successive floats of a record. In this test records have 7 floats, and the quad
+ * consists of members 2 to 5. */
 static void test_quads_of_records_transpose_to_columns_and_back(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_announcements.c -- checks that the calls of the time ("one minute left" and others) are made
- * once each and at the right tick. */
+/* test_announcements.c -- checks the announcements of the remaining time ("one minute left" and
+ * others). Each must be made exactly once and at the right tick. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -51,13 +51,13 @@ static void test_a_short_round_has_only_the_announcements_within_its_time(void *
 {
     (void)state;
     assert_int_equal(count_calls(CALL_ONE_MINUTE, 60), 0);
-    /* A round of 70 s has no call "one minute left", because the call would follow only 10 s after
-     * the start. */
+    /* A round of 70 s has no announcement "one minute left", because it would follow only 10 s
+     * after the start. */
     assert_int_equal(count_calls(CALL_ONE_MINUTE, 70), 0);
     assert_int_equal(count_calls(CALL_ONE_MINUTE, 71), 1);
     assert_int_equal(count_calls(CALL_TEN_SECONDS, 70), 1);
     assert_int_equal(count_calls(CALL_TWO_MINUTES, 120), 0);
-    /* A round of 10 s begins with the call "ten seconds left". */
+    /* A round of 10 s begins with the announcement "ten seconds left". */
     assert_int_equal(count_calls(CALL_TEN_SECONDS, 10), 1);
     assert_int_equal(count_calls(CALL_COUNTDOWN, 10), 5);
 }

@@ -1,6 +1,6 @@
 /* test_championship.c -- plays a championship from START to the result with controller input.
- * Checks the tank, the clock, the calls of the time, the count of fish, the record, and that equal
- * inputs give an equal result. */
+ * Checks the tank, the clock, the announcements of the time, the number of fish, and the record.
+ * Equal inputs must give an equal result. */
 #include "tests/unit/support/purse.h"
 #include "tests/unit/support/core_fixture.h"
 
@@ -10,7 +10,8 @@
 #define ROUND_TICKS (180u * CORE_TICK_HZ)
 #define CALLS_MAX 16u
 
-/* A bot whose poses are sent as controller input, so that the core treats it as a person. */
+/* A bot computes the poses. The test sends them as controller input, so the core treats the bot as
+ * a person. */
 static struct bot player;
 
 struct heard {
@@ -123,7 +124,7 @@ static void test_the_catch_is_shown_and_stored(void **state)
     assert_int_equal(newest_record(&output)->mode, MODE_CHAMPIONSHIP);
     assert_int_equal(newest_record(&output)->grade, 5);
     assert_int_equal(newest_record(&output)->players, 1);
-    /* The poses came as controller input, so the round counts as that of a person. */
+    /* The poses arrived as controller input, so the round counts as the round of a person. */
     assert_int_equal(newest_record(&output)->by_bot, 0);
     assert_true(record->caught > 0);
     assert_int_equal(record->caught, look()->caught[0]);

@@ -1,12 +1,12 @@
-/* test_fouls.c -- checks the fouls of a championship. A fish that is scooped along a wall or swept
- * into the bowl from the water does not count and is a foul. The third foul ends the player's
- * round. */
+/* test_fouls.c -- checks the fouls of a championship. A fish that is scooped along a wall, or that
+ * is swept from the water into the bowl, does not count and is a foul. The third foul ends the
+ * player's round. */
 #include "tests/unit/support/core_fixture.h"
 #include "tests/unit/support/newest_record.h"
 
 #define READY_TICKS (5u * CORE_TICK_HZ)
 
-/* Position in front of the tank, outside its near wall. */
+/* Position for the poi outside the tank, in front of the near wall. */
 static const vec3 aside_m = { 0.0f, ABOVE_M, 0.45f };
 
 static void begin(uint8_t mode, uint32_t fish_count)
@@ -43,7 +43,7 @@ static void lead_tilted(vec3 to_m, float pitch_rad, float roll_rad)
     }
 }
 
-/* Places six resting fish around a point, side by side in three layers. */
+/* Places six resting fish side by side in three layers around the point x_m, z_m. */
 static void lay_fish(float x_m, float z_m)
 {
     struct tank_stage stages[6];
@@ -59,7 +59,7 @@ static void lay_fish(float x_m, float z_m)
     tank_stage_all(&core.world.tank, stages, 6);
 }
 
-/* Places six fish side by side above the dipped poi, near the ring's right edge. */
+/* Places six fish side by side above the dipped poi, near the right edge of its ring. */
 static void lay_fish_over_the_poi(float x_m, float z_m)
 {
     struct tank_stage stages[6];
@@ -84,8 +84,8 @@ static void bring_home(void)
     lead_tilted(v3(bowl_m.x - 0.15f, 0.09f, bowl_m.z), 0.0f, 0.0f);
 }
 
-/* Makes a scoop that is a foul: moves a tilted poi to the wall, presses it against the wall by
- * `press_m`, and lifts it along the wall. */
+/* Makes a scoop that is a foul: moves a tilted poi to the wall, presses it `press_m` deep into the
+ * wall, and lifts it along the wall. */
 static void scoop_along_the_wall(float press_m)
 {
     const float ring_z_m = WALL_Z_M - POI_OUTER_RADIUS_M * f_cos(SLANT_RAD) + press_m;
@@ -98,7 +98,8 @@ static void scoop_along_the_wall(float press_m)
     bring_home();
 }
 
-/* Makes the same scoop without a foul: far from every wall, straight up from below the fish. */
+/* Makes a scoop that is not a foul: far from every wall, lifts the poi straight up from below the
+ * fish. */
 static void scoop_in_the_open(void)
 {
     lead_tilted(v3(0.30f, 0.06f, 0.0f), 0.0f, 0.0f);
@@ -108,9 +109,9 @@ static void scoop_in_the_open(void)
     bring_home();
 }
 
-/* Sweeps fish along the water surface into a bowl, which is a foul. The bowl lies as deep as one
- * with a hundred fish, with its rim 3 mm above the water. The poi accelerates to 1.7 m/s, rises to
- * `end_m` above the water and stops at the bowl. The fish slide on into the bowl. */
+/* Sweeps fish along the water surface into a bowl, which is a foul. The bowl floats as deep as a
+ * bowl with a hundred fish, so its rim is only 3 mm above the water. The poi accelerates to 1.7
+ * m/s, rises to `end_m` above the water and stops at the bowl. The fish slide on into the bowl. */
 static void sweep_into_the_bowl(uint32_t wait_ticks, float end_m)
 {
     const vec3 bowl_m = core.world.bowl[0].position_m;
@@ -135,7 +136,8 @@ static void sweep_into_the_bowl(uint32_t wait_ticks, float end_m)
     ticks(60);
 }
 
-/* Starts a round and runs it until tick READY_TICKS + 20, which is the same tick in all modes. */
+/* Starts a round and runs it until tick READY_TICKS + 20. All modes therefore continue from the
+ * same tick. */
 static void play(uint8_t mode)
 {
     begin(mode, 6);
@@ -153,7 +155,7 @@ static void test_fish_pressed_against_the_wall_are_a_foul_and_do_not_count(void 
         const uint32_t in_bowl = core.world.bowl[0].fish_count;
         assert_true(in_bowl > 0);
         fouls += look()->player[0].fouls;
-        /* The scoop touches the wall in several ticks, but is only one foul. */
+        /* The scoop touches the wall in several ticks, but must count as only one foul. */
         assert_true(scene.player[0].fouls <= 1);
         if (scene.player[0].fouls > 0) {
             assert_int_equal(scene.player[0].foul, FOUL_WALL);
@@ -169,8 +171,8 @@ struct sweeps {
     uint32_t caught, in_bowl, fouls, poured;
 };
 
-/* Repeats the sweep 40 times, each time some ticks later. Single sweeps may fail, because the fish
- * have random positions. */
+/* Repeats the sweep 40 times, and waits a few ticks longer each time. A single sweep may fail,
+ * because the fish swim at random. */
 static struct sweeps sweep_often(uint8_t mode, float end_m)
 {
     struct sweeps sum = { 0 };
@@ -201,13 +203,13 @@ static void test_fish_swept_in_count_in_a_festival(void **state)
 {
     (void)state;
     const struct sweeps sum = sweep_often(MODE_FESTIVAL, 0.004f);
-    /* Fish were swept into the bowl (`poured`). In a festival this is no foul, so all of them
-     * count. */
+    /* Some fish were swept into the bowl (`poured`). In a festival this is not a foul, so all fish
+     * in the bowl count. */
     assert_true(sum.poured > 0);
     assert_int_equal(sum.caught, sum.in_bowl);
 }
 
-/* In the same sweep, the ring first rises above the water and then reaches the bowl. */
+/* The ring makes the same sweep, but rises above the water before it reaches the bowl. */
 static void test_a_ring_lifted_above_the_water_first_commits_no_foul(void **state)
 {
     (void)state;
@@ -227,8 +229,8 @@ static void test_fish_from_open_water_count_without_a_foul(void **state)
     assert_true(scene.caught[0] > 0);
 }
 
-/* Drops one fish into the empty bowl from a ring that has been above the water for `clear_ticks`
- * ticks. */
+/* Drops one fish into the empty bowl from the paper of a ring that has been above the water for
+ * `clear_ticks` ticks. */
 static void drop_a_fish(uint8_t clear_ticks)
 {
     core.world.tank.fish[0].gait = GAIT_HELD;
@@ -254,7 +256,7 @@ static void test_a_fish_that_falls_off_a_lost_poi_is_no_foul(void **state)
     }
     play(MODE_CHAMPIONSHIP);
     drop_a_fish(0);
-    /* A fish that drops from a poi which a player controls is a foul. */
+    /* The player controls this poi, so the drop of the fish is a foul. */
     assert_int_equal(look()->player[0].fouls, 1);
 }
 
@@ -269,7 +271,7 @@ static void test_no_fish_counts_after_the_third_foul(void **state)
     }
 }
 
-/* The player commits a foul before the start and two by scoops along the wall. */
+/* The player commits one foul before the start, and two more fouls by scoops along the wall. */
 static void test_the_third_foul_ends_the_players_round(void **state)
 {
     (void)state;
@@ -284,7 +286,7 @@ static void test_the_third_foul_ends_the_players_round(void **state)
     }
     assert_int_equal(scene.player[0].fouls, FOUL_MAX);
     assert_true(scene.player[0].out);
-    /* The only player is out, so the round ends. */
+    /* The only player is out of the round, so the round ends. */
     wait_for_phase(PHASE_RESULT, GAME_GONE_TICKS + 1u);
     assert_int_equal(newest_record(&output)->player[0].fouls, FOUL_MAX);
 }

@@ -81,7 +81,8 @@ static void test_the_attract_bot_pours_a_full_bowl_back(void **state)
     assert_int_equal(core.world.bowl[0].fish_count, 9);
     core.world.tank.fish[9].gait = GAIT_BOWL;
     core.world.bowl[0].fish_count = 10;
-    core.world.poi[0].carried_count = 1; /* The bowl is not emptied while the poi carries a fish. */
+    /* While the poi carries a fish, its bowl must not be emptied. */
+    core.world.poi[0].carried_count = 1;
     steps(3u * CORE_TICK_HZ);
     assert_int_equal(core.world.bowl[0].fish_count, 10);
     core.world.poi[0].carried_count = 0;
@@ -110,8 +111,8 @@ static void test_paper_with_a_hole_in_the_middle_is_usable_beside_it(void **stat
     assert_true(paper_can_hold(sheet));
     punch(sheet, 0.0f, 0.0f, 0.012f);
     assert_true(paper_can_hold(sheet));
-    /* Leaves a strip of paper along the ring. The strip is 14 mm wide, which is too narrow for any
-     * fish to lie on. */
+    /* Leaves a ring of paper along the rim. It is 14 mm wide, which is too narrow for any fish to
+     * lie on. */
     punch(sheet, 0.0f, 0.0f, 0.026f);
     assert_true(sheet_left(sheet) > PAPER_LEFT_MIN);
     assert_false(paper_can_hold(sheet));

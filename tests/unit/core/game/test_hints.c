@@ -1,4 +1,4 @@
-/* test_hints.c -- checks which hint the game shows for each action of a player. */
+/* test_hints.c -- checks which hint the game shows after each action of a player. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -29,8 +29,8 @@ static int setup(void **state)
     return 0;
 }
 
-/* Calls only hints_tick(), not the whole core, for `ticks` ticks. Returns the hint that is then
- * shown. */
+/* Calls only hints_tick() and not the whole core, for `ticks` ticks. Returns the hint that is shown
+ * afterwards. */
 static uint8_t hint_after(uint32_t ticks)
 {
     for (uint32_t i = 0; i < ticks; i++) {
@@ -90,7 +90,8 @@ static void test_a_moved_poi_gets_the_dip_hint(void **state)
     (void)state;
     hint_after(300);
     core.world.poi[0].velocity_m_s = v3(0.3f, 0.0f, 0.0f);
-    /* In 24 ticks at 0.3 m/s the poi moves 6 cm, which is too little to count as moved. */
+    /* In these 24 ticks at 0.3 m/s, the poi moves by 6 cm. This distance is too short to count as a
+     * movement. */
     assert_int_equal(hint_after(24), HINT_MOVE);
     assert_int_equal(hint_after(120), HINT_DIP);
 }
@@ -100,7 +101,7 @@ static void test_a_fish_over_the_dipped_poi_gives_the_lift_hint(void **state)
     (void)state;
     hint_after(300);
     dip_poi();
-    /* HINT_LIFT needs a fish over the poi. Without a fish the player gets no hint. */
+    /* The poi is dipped, but no fish is over it, so HINT_LIFT is not shown. */
     assert_int_equal(hint_after(200), HINT_NONE);
     put_fish_over_the_poi();
     assert_int_equal(hint_after(200), HINT_LIFT);
@@ -125,7 +126,7 @@ static void test_a_fish_on_the_lifted_poi_gives_the_bowl_hint(void **state)
     learn(HINT_TILT);
     learn(HINT_MOVE);
     learn(HINT_DIP);
-    /* The player has already done everything that a hint asks for, so no hint is shown. */
+    /* The player has already done everything that the hints explain, so no hint is shown. */
     assert_int_equal(hint_after(300), HINT_NONE);
     put_fish_on_the_poi();
     assert_int_equal(hint_after(300), HINT_NONE);
@@ -207,8 +208,8 @@ static void test_an_urgent_hint_is_shown_immediately(void **state)
     (void)state;
     hint_after(300);
     learn(HINT_MOVE);
-    /* HINT_DIP has just appeared. Most other hints would wait until it was shown for some time, but
-     * HINT_LOST_POI appears at once. */
+    /* HINT_DIP has just appeared. Most other hints would now wait for some time before they replace
+     * it. HINT_LOST_POI must replace it at once. */
     hint_after(13);
     core.world.poi[0].link = POI_SOURCE_LOST;
     assert_int_equal(hint_after(13), HINT_LOST_POI);
@@ -239,7 +240,8 @@ static void test_only_a_player_with_a_controller_gets_hints(void **state)
     const struct core_config config = { .seed = 3, .fish_count = 2, .players = 2 };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     core.game.phase = PHASE_ROUND;
-    core.world.poi[1].link = POI_SOURCE_LIVE; /* Only the second player has a controller. */
+    /* In this test only the second player has a controller. */
+    core.world.poi[1].link = POI_SOURCE_LIVE;
     core.world.poi[1].position_m = v3(0.0f, 0.06f, 0.0f);
     core.game.tick = 5000;
     assert_int_equal(hint_after(300), HINT_MOVE);

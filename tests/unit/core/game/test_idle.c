@@ -1,13 +1,15 @@
-/* test_idle.c -- checks that the kiosk returns to attract mode from every abandoned state.
+/* test_idle.c -- checks that the kiosk returns to attract mode from every state that players
+ * abandon.
  *
- * The test enters every phase and every page of the operator's menu and leaves it without a player,
- * with a poi that swings on its cord, with a loose controller plug, or with stuck buttons. */
+ * The test enters every phase and every page of the operator's menu. It then leaves the kiosk
+ * without a player, with a poi that swings on its cord, with a loose controller plug, or with stuck
+ * buttons. */
 #include "core/game/menu/menu_pages.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/game_fixture.h"
 
 #define LONGEST_TICKS (MENU_SWING_SPANS * MENU_IDLE_TICKS + CORE_TICK_HZ)
-#define SWING_TICKS 170u /* Period in ticks of a poi that swings on a cord of half a metre. */
+#define SWING_TICKS 170u /* Period of the swing in ticks, for a poi on a cord of half a metre. */
 #define PLUG_TICKS 1200u
 
 /* ---- Abandoned input ------------------------------------------------------------------------ */
@@ -45,7 +47,7 @@ static void leave(enum left_behind what)
 
 /* ---- Phases that must time out -------------------------------------------------------------- */
 
-static uint32_t seen; /* Phases in which the test has waited, as a bit mask. */
+static uint32_t seen; /* Phases in which the kiosk was abandoned during the test, as a bit mask. */
 
 static void expect_attract_by_itself(enum left_behind what, const char *where)
 {
@@ -62,11 +64,12 @@ static void expect_attract_by_itself(enum left_behind what, const char *where)
     input = (struct input){ 0 };
     leave(what);
     steps(60u * CORE_TICK_HZ);
-    /* The abandoned input (a swinging poi, for example) starts nothing within the next minute. */
+    /* The abandoned input, for example a swinging poi, must start nothing within the next
+     * minute. */
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* Opens a kiosk with all game modes and with a store, so that players may enter names. */
+/* Opens a kiosk with all game modes. It has a store, so that players may enter names. */
 static void open_stall(void)
 {
     struct core_config config = { .seed = 7, .fish_count = 12, .persistent.ledger.boots = 1 };
@@ -80,7 +83,7 @@ static void open_stall(void)
     steps(10);
 }
 
-/* Goes from the mode selection into a round of mode `choice` with buttons. */
+/* Presses buttons to go from the mode selection into a round of the mode `choice`. */
 static void begin_playing(uint32_t choice)
 {
     open_stall();
@@ -158,8 +161,8 @@ static void test_every_page_of_the_menu_times_out(void **state)
     }
 }
 
-/* An operator who checks the axes of a poi on the menu's page only moves the poi and presses no
- * button. Such motion must keep the menu open for a limited time. */
+/* An operator who checks the axes of a poi in the menu only moves the poi and presses no button.
+ * The motion must keep the menu open, but only for a limited time. */
 static void test_a_moving_poi_keeps_the_menu_open_for_15_minutes(void **state)
 {
     (void)state;

@@ -1,11 +1,11 @@
-/* test_levels.c -- checks what a level of difficulty changes in a round: the ring, the paper, the
- * motion of the poi in water, and how easily fish flee. */
+/* test_levels.c -- checks what the level of difficulty changes in a round: the size of the ring,
+ * the paper, the motion of the poi in water, and how easily fish flee. */
 #include "tests/unit/support/core_fixture.h"
 
 #include "core/game/rules.h"
 #include "core/poi/poi.h"
 
-/* Opens a kiosk with one mode and starts a round. The poi stands above the water. */
+/* Opens a kiosk with one mode and starts a round. The poi is above the water. */
 static void play_into_round(uint8_t mode, uint8_t level)
 {
     open_core(&(struct core_config){ .seed = 7,
@@ -77,8 +77,8 @@ static void test_the_championship_is_always_played_at_the_master_level(void **st
     assert_memory_equal(&core.world.tank.temper, &none, sizeof none);
 }
 
-/* Moves the controller by 5 cm in one tick under water. Returns the greatest distance that the
- * poi's target moves in one tick afterwards. */
+/* Moves the controller by 5 cm in one tick under water. Returns the greatest distance by which the
+ * poi's target then moves in one tick. */
 static float step_in_water_m(uint8_t level)
 {
     play_into_round(MODE_FESTIVAL, level);
@@ -122,7 +122,9 @@ static void test_the_record_and_the_scene_have_the_easiest_level_of_the_players(
     core.game.player[0].level = LEVEL_MASTER;
     core.game.player[1].level = LEVEL_EASY;
     assert_int_equal(core_round_record(&core).level, LEVEL_MASTER);
-    core.game.player[1].plays = 1; /* Only a player who takes part makes the fish calm. */
+    /* The level of the second player now counts, because this player takes part. The fish become
+     * calm. */
+    core.game.player[1].plays = 1;
     assert_int_equal(core_round_record(&core).level, LEVEL_EASY);
     core_scene(&core, &scene);
     assert_int_equal(scene.level, LEVEL_EASY);
@@ -132,7 +134,7 @@ static void test_the_record_and_the_scene_have_the_easiest_level_of_the_players(
     assert_int_equal(core_round_record(&core).level, LEVEL_MASTER);
 }
 
-/* Returns the newest entry of kind `kind` in the output's ring buffer of ledger entries. */
+/* Returns the newest entry of the kind `kind` in the output's ring buffer of ledger entries. */
 static const struct ledger_entry *newest(uint8_t kind)
 {
     uint32_t id = output.entry_id;
@@ -146,7 +148,7 @@ static void test_a_round_that_a_power_cut_ends_keeps_its_level(void **state)
 {
     (void)state;
     play_into_round(MODE_FESTIVAL, LEVEL_EASY);
-    /* With tickets the state of a running round is written to the ledger. */
+    /* If the kiosk gives tickets, the state of a running round is written to the ledger. */
     core.config.ticket_fish = 1;
     ticks(core.game.round_s * CORE_TICK_HZ * 5u / 6u);
     assert_int_equal(core.game.phase, PHASE_ROUND);
@@ -163,7 +165,7 @@ static void test_a_round_that_a_power_cut_ends_keeps_its_level(void **state)
     const struct ledger_entry *round = newest(LEDGER_ROUND);
     assert_int_equal(round->detail, ROUND_CUT_OFF);
     assert_int_equal(round->round.level, LEVEL_EASY);
-    /* Sets the level to 3, which does not exist. */
+    /* Sets the level of the stored round to 3, which does not exist. */
     config.persistent.ledger.stand.value |= 3 << 21;
     assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);
 }
@@ -171,7 +173,7 @@ static void test_a_round_that_a_power_cut_ends_keeps_its_level(void **state)
 static void test_finished_rounds_are_counted_at_their_level(void **state)
 {
     (void)state;
-    /* Simulates four rounds that an older version without levels has counted. */
+    /* Simulates four rounds that were counted by an older version, which had no levels. */
     struct audits audits = { .count[AUDIT_ROUNDS] = 4 };
     struct ledger_entry entry = { .kind = LEDGER_ROUND, .id = 1, .round.players = 1 };
     static const uint8_t levels[] = { LEVEL_EASY, LEVEL_NORMAL, LEVEL_EASY, LEVEL_MASTER };

@@ -16,7 +16,8 @@ static int offer_all(void **state)
     return 0;
 }
 
-/* Opens a core with `players` bowls that offers everything, at the level `level`. */
+/* Opens a core with `players` bowls that offers all modes and levels. The operator's default is the
+ * level `level`. */
 static void offer_levels(uint8_t level, uint8_t players)
 {
     open_core(&(struct core_config){ .seed = 5,
@@ -26,7 +27,8 @@ static void offer_levels(uint8_t level, uint8_t players)
                                      .players = players });
 }
 
-/* Returns the place above the water at which a poi that measures rotation points at `tag`. */
+/* Returns the position above the water from which a poi points at the tag `tag`. The poi must
+ * measure its rotation. */
 static vec3 above_tag(uint32_t tag)
 {
     const struct layout_box box = mode_tag_box(false, look()->tags, tag);
@@ -80,7 +82,7 @@ static void test_left_and_right_cycle_and_start_chooses_a_mode(void **state)
     assert_int_equal(look()->mode, MODE_FESTIVAL);
     press(INPUT_LEFT);
     assert_int_equal(look()->mode, MODE_PRACTICE);
-    /* The selection plays one sound when it opens and one for each of its four changes. */
+    /* The selection plays the sound once when it opens, and once for each of its four changes. */
     assert_int_equal(sounds[SOUND_CHOOSE], 5);
     press(INPUT_OK);
     assert_int_equal(core.game.phase, PHASE_READY);
@@ -100,7 +102,7 @@ static void test_disabled_modes_are_skipped(void **state)
     assert_int_equal(look()->mode, MODE_FESTIVAL);
 }
 
-/* Checks the rules of recordings older than format 9. */
+/* Recordings older than format 9 use other rules, which this test checks. */
 static void test_under_the_rules_of_format_8_a_poi_selects_the_mode_of_its_section(void **state)
 {
     (void)state;
@@ -112,7 +114,8 @@ static void test_under_the_rules_of_format_8_a_poi_selects_the_mode_of_its_secti
     assert_int_equal(look()->mode, MODE_CHAMPIONSHIP);
     lead(0, v3(-0.6f, ABOVE_M, 0.0f));
     assert_int_equal(look()->mode, MODE_FESTIVAL);
-    /* The poi rests over FESTIVAL at the left. A button press has priority over a resting poi. */
+    /* The poi rests over the tag of FESTIVAL on the left. A button press must have priority over
+     * the resting poi. */
     press(INPUT_RIGHT);
     ticks(60);
     assert_int_equal(look()->mode, MODE_CHAMPIONSHIP);
@@ -134,8 +137,10 @@ static void test_a_moved_poi_selects_the_tag_below_it(void **state)
             pointer_is_inside(mode_tag_box(false, scene.tags, tag), 0.0f,
                               (struct layout_point){ scene.player[0].x, scene.player[0].y }));
     }
-    assert_int_equal(core.game.player[0].level, LEVEL_MASTER); /* The small tags keep the level. */
-    press(INPUT_LEFT); /* A resting poi does not override the buttons. */
+    /* The small tags select only a mode, so the level stays the same. */
+    assert_int_equal(core.game.player[0].level, LEVEL_MASTER);
+    /* The resting poi does not override this button. */
+    press(INPUT_LEFT);
     ticks(60);
     assert_int_equal(look()->choice, MODE_PRACTICE);
 }
@@ -153,7 +158,8 @@ static void test_a_dip_chooses_the_tag_under_it(void **state)
         dip(0, at_m.x, at_m.z);
         assert_int_equal(core.game.phase, PHASE_READY);
         assert_int_equal(core.game.mode, mode_tags[tag].mode);
-        /* On its way to the small tags the poi passes over the tag of LEVEL_MASTER. */
+        /* On its way to the small tag the poi has passed over the large tag of LEVEL_MASTER. The
+         * selected level must be that of the tag under the poi. */
         assert_int_equal(core.game.player[0].level, mode_tags[tag].level);
     }
 }
@@ -164,7 +170,7 @@ static void test_start_or_a_dip_at_once_begins_the_festival_at_the_configured_le
     for (uint8_t level = 0; level < LEVEL_COUNT; level++) {
         for (uint32_t dips = 0; dips < 2u; dips++) {
             offer_levels(level, 1);
-            hold(0, above_tag(3)); /* The poi rests above the tag of the championship. */
+            hold(0, above_tag(3)); /* Holds the poi at rest above the tag of the championship. */
             ticks(60);
             choose();
             if (dips) {
@@ -179,7 +185,8 @@ static void test_start_or_a_dip_at_once_begins_the_festival_at_the_configured_le
     }
 }
 
-/* Only a connected poi counts: without this rule the absent players would make the fish calm. */
+/* Without a poi, a player must not influence the fish. Otherwise the absent players would make the
+ * fish calm. */
 static void test_the_fish_follow_the_easiest_level_of_the_players_with_a_poi(void **state)
 {
     (void)state;
@@ -192,7 +199,8 @@ static void test_the_fish_follow_the_easiest_level_of_the_players_with_a_poi(voi
     assert_int_equal(core.game.player[0].level, LEVEL_MASTER);
     assert_memory_equal(&core.world.tank.temper, &rules_of_level(LEVEL_MASTER)->temper,
                         sizeof(struct temper));
-    hold(1, v3(0.2f, ABOVE_M, 0.0f)); /* A player who comes later has the configured level. */
+    /* A player who appears later gets the level that the operator configured. */
+    hold(1, v3(0.2f, ABOVE_M, 0.0f));
     ticks(60);
     assert_int_equal(core.game.player[1].level, LEVEL_NORMAL);
     assert_memory_equal(&core.world.tank.temper, &rules_of_level(LEVEL_NORMAL)->temper,
@@ -287,12 +295,14 @@ static void test_a_moving_poi_keeps_the_selection_open(void **state)
         lead(0, v3(LEFT_M, ABOVE_M, i % 2u ? 0.0f : 0.1f));
         assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     }
-    /* The poi rests, so no player counts as present, and the selection times out. */
+    /* The poi has been resting, so no player counts as present. The selection therefore times
+     * out. */
     ticks(RULES_MODE_SELECT_TICKS + 1u);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* A poi that swings on its cord at the kiosk's edge must not keep the selection open for ever. */
+/* A poi that hangs at the kiosk's edge and swings on its cord must not keep the selection open for
+ * ever. */
 static void test_the_selection_lasts_at_most_two_minutes(void **state)
 {
     (void)state;
@@ -310,8 +320,8 @@ static void test_the_selection_lasts_at_most_two_minutes(void **state)
                     120u * CORE_TICK_HZ + 1u);
 }
 
-/* The controller is lost and then returns at another place, so the poi moves there at a limited
- * speed. The opening of a tank must end this motion. */
+/* The controller is lost and returns at another place, so the poi moves to that place at a limited
+ * speed. This motion must end when a tank is opened. */
 static void test_a_newly_opened_tank_has_no_returning_poi(void **state)
 {
     (void)state;
@@ -336,8 +346,8 @@ static void test_a_poi_stays_above_the_water_during_the_selection(void **state)
 {
     (void)state;
     choose();
-    /* The controller first appears below the water. This is not a dip, because the poi was not
-     * above the water before. */
+    /* The controller is below the water when it first appears. This does not count as a dip,
+     * because the poi was not above the water before. */
     hold(0, v3(RIGHT_M, BELOW_M, 0.0f));
     ticks(300);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
@@ -356,7 +366,8 @@ static void test_the_championship_has_its_own_tank_and_attract_the_festivals(voi
     assert_float_equal(core.world.bowl[0].position_m.x, official->bowl_m[0].x, 0.02f);
     assert_int_equal(scene.grade, 5);
     assert_float_equal(scene.seconds_left, 5.0f, 0.02f);
-    /* Simulates the end of a round: the result returns to attract mode in the festival's tank. */
+    /* Simulates the end of a round. After the result the kiosk returns to attract mode in the
+     * festival's tank. */
     core.game.phase = PHASE_RESULT;
     core.game.phase_tick = core.game.tick;
     ticks(GAME_RESULT_TICKS + 1u);
@@ -377,8 +388,8 @@ static void test_each_championship_has_a_new_random_tank(void **state)
 }
 
 /* Each fish stores the tick of its last decision in one byte, which wraps every 256 ticks. In a
- * tank that opens late, that byte must be set to the current tick. Otherwise the fish would seem to
- * have decided long ago. */
+ * tank that is opened late, this byte must be set to the current tick. Otherwise the fish would
+ * seem to have made their decision long ago. */
 static void test_fish_of_a_tank_that_opens_late_were_just_updated(void **state)
 {
     (void)state;
@@ -458,7 +469,7 @@ static void test_start_in_the_result_reopens_the_selection(void **state)
     ticks(GAME_AGAIN_TICKS);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
-    /* The selection begins with the mode of the last round. */
+    /* The new selection begins with the mode of the last round. */
     assert_int_equal(look()->mode, MODE_PRACTICE);
 }
 

@@ -1,5 +1,5 @@
-/* test_pause.c -- checks the loss of a controller during a round. The clock pauses, no player can
- * scoop and no paper wears. After some time the other players continue. */
+/* test_pause.c -- checks the loss of a controller during a round. The clock pauses, so that no
+ * player can scoop and no paper wears. After some time the other players continue. */
 #include "tests/unit/support/core_fixture.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/newest_record.h"
@@ -70,7 +70,8 @@ static void test_the_round_continues_when_the_controller_returns(void **state)
     lose(OTHER);
     ticks(5u * CORE_TICK_HZ);
     return_hand(OTHER);
-    ticks(60); /* A returning input becomes valid after a quarter of a second (30 ticks). */
+    /* The input of a returning controller becomes valid after a quarter of a second (30 ticks). */
+    ticks(60);
     const float before_s = look()->seconds_left;
     assert_false(scene.paused);
     assert_false(scene.player[OTHER].out);
@@ -94,12 +95,12 @@ static void test_both_pois_leave_the_water_during_the_pause(void **state)
     assert_true(fastest_m_s < 0.25f);
     assert_int_equal(core.world.poi[MINE].sheet.paper_cells,
                      core.world.poi[MINE].sheet.paper_cells_new);
-    /* During the pause, the poi does not follow its player's controller. */
+    /* During the pause, the poi must not follow its player's controller. */
     lead(MINE, v3(0.0f, BELOW_M, 0.0f));
     ticks(CORE_TICK_HZ);
     assert_true(core.world.poi[MINE].immersed <= 0.0f);
     return_hand(OTHER);
-    /* The round continues. Within three seconds the poi returns to the player's pose, which is
+    /* The round continues now. Within three seconds the poi must reach the player's pose, which is
      * under water. */
     ticks(3u * CORE_TICK_HZ);
     assert_true(core.world.poi[MINE].immersed > 0.9f);
@@ -117,7 +118,7 @@ static void test_the_other_players_continue_after_ten_seconds(void **state)
     ticks(1);
     assert_true(look()->player[OTHER].out);
     assert_false(scene.paused);
-    /* One tick earlier the player was removed from the round, so the returning controller has no
+    /* The player was removed from the round in the last tick, so the returning controller has no
      * effect. */
     return_hand(OTHER);
     ticks(CORE_TICK_HZ);
@@ -142,8 +143,8 @@ static void test_a_few_short_losses_end_no_players_round(void **state)
     assert_false(look()->player[OTHER].out);
 }
 
-/* Runs the round with a controller that is lost for 9 s of every 9.3 s. Returns the number of ticks
- * until the round ends. */
+/* Plays until the round ends, with a controller that is lost for 9 s of every 9.3 s. Returns the
+ * number of ticks. */
 static uint32_t play_with_a_flaky_plug(uint32_t index)
 {
     uint32_t passed = 0;
@@ -160,7 +161,7 @@ static void test_repeated_losses_pause_the_round_for_a_limited_time(void **state
 {
     (void)state;
     const uint32_t passed = play_with_a_flaky_plug(OTHER);
-    /* One second of the round was played before the first loss. */
+    /* One second of the round was played before the controller was lost for the first time. */
     const uint32_t round = (ROUND_S - 1u) * CORE_TICK_HZ;
     assert_true(core.game.player[OTHER].out && !core.game.player[MINE].out);
     assert_in_range(passed, round + GAME_WAIT_TICKS_OTHERS, round + GAME_WAIT_TICKS_OTHERS + 5u);
@@ -186,8 +187,8 @@ static void test_each_round_has_its_own_pause_limit(void **state)
     assert_int_equal(core.game.player[OTHER].waited_ticks, 0);
 }
 
-/* The round plays ROUND_S seconds, but lasts about 9 s longer because of a pause. The torn paper
- * was used for 1.5 s before the pause and 1.5 s after it. */
+/* The players play for ROUND_S seconds, but the round lasts about 9 s longer because of a pause.
+ * The torn paper was used for 1.5 s before the pause and for 1.5 s after it. */
 static void test_pauses_do_not_count_as_play_time_in_the_record(void **state)
 {
     (void)state;
@@ -233,13 +234,13 @@ static void test_no_loss_pauses_the_game_after_the_call_of_time(void **state)
     while (game_seconds_left(&core.game, core.game.tick + 1u) > 0.0f) {
         tick();
     }
-    /* A carried fish delays the end of the round by at most GAME_CARRY_TICKS. */
+    /* Lets the poi carry a fish, which delays the end of the round by at most GAME_CARRY_TICKS. */
     core.world.poi[MINE].carried_count = 1;
     core.world.poi[MINE].carried_fish[0].fish = 0;
     core.world.tank.fish[0].gait = GAIT_HELD;
     ticks(1);
     assert_true(game_seconds_left(&core.game, core.game.tick) == 0.0f);
-    /* The playing time is over, so a lost controller no longer pauses the round. */
+    /* The playing time is over, so the loss of a controller must not pause the round. */
     lose(MINE);
     uint32_t passed = 0;
     for (; core.game.phase == PHASE_ROUND; passed++) {
@@ -257,8 +258,7 @@ static void test_a_player_who_never_had_a_controller_pauses_nothing(void **state
     open_core(&config);
     hold(MINE, mine_m);
     hold(OTHER, other_m);
-    /* The second controller is missing before the round starts, so its player does not take
-     * part. */
+    /* The second controller is lost before the round starts, so its player does not take part. */
     lose(OTHER);
     press(INPUT_START);
     wait_for_phase(PHASE_ROUND, 4u * CORE_TICK_HZ);
@@ -286,8 +286,8 @@ static void test_separate_losses_do_not_add_up_to_the_minute(void **state)
     lose(MINE);
     ticks(GAME_LOST_TICKS_MAX - 60u);
     return_hand(MINE);
-    /* A returning input becomes valid after a quarter of a second (30 ticks), so 50 ticks are
-     * enough. */
+    /* The input of a returning controller becomes valid after a quarter of a second (30 ticks), so
+     * 50 ticks are enough. */
     ticks(50);
     lose(MINE);
     ticks(60);

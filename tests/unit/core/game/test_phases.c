@@ -1,5 +1,5 @@
-/* test_phases.c -- checks the phases of the game, and each transition just before and just after
- * its condition is met. */
+/* test_phases.c -- checks the phases of the game. Each transition is checked just before and just
+ * after its condition is met. */
 #include "tests/unit/support/game_fixture.h"
 #include "core/game/menu/menu.h"
 #include "core/game/lab/lab.h"
@@ -105,7 +105,8 @@ static void test_a_round_lasts_exactly_its_seconds(void **state)
                      ROUND_S * CORE_TICK_HZ);
 }
 
-/* When the time is over, a fish on the paper may still be carried to the bowl for three seconds. */
+/* After the end of the playing time, a fish on the paper may still be carried to the bowl for three
+ * seconds. */
 static void test_a_fish_on_the_paper_at_the_call_gets_three_seconds_to_the_bowl(void **state)
 {
     (void)state;
@@ -152,7 +153,7 @@ static void test_the_album_and_attract_follow_the_result_after_twelve_seconds(vo
     steps(GAME_RESULT_TICKS - 1u);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     step();
-    /* The album opens, because the player gets a fish as a present. */
+    /* The player has got a fish as a present, so the album opens. */
     assert_int_equal(core.game.phase, PHASE_ALBUM);
     steps(album_ticks(1));
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -175,7 +176,7 @@ static void test_a_dip_in_the_result_counts_from_two_and_a_half_seconds(void **s
     (void)state;
     play_into_result();
     steps(GAME_AGAIN_DIP_TICKS - 3u);
-    /* dip() ends one tick before the result screen accepts a dip, so this dip has no effect. */
+    /* This dip ends one tick before the result screen accepts a dip, so it has no effect. */
     dip();
     assert_int_equal(core.game.phase, PHASE_RESULT);
     dip();
@@ -217,8 +218,8 @@ static void test_the_bot_controls_the_poi_in_attract(void **state)
     assert_int_equal(core.world.poi[1].link, POI_SOURCE_ABSENT);
 }
 
-/* The controller was lost and its player is gone. The poi must not return to the last pose of that
- * player. */
+/* The controller was lost, and its player has left. The poi must not return to the last pose of
+ * this player, but follow the bot. */
 static void test_a_poi_that_the_bot_takes_over_does_not_return_to_the_player(void **state)
 {
     (void)state;
@@ -246,8 +247,8 @@ static void test_language_changes_with_each_press_in_any_phase(void **state)
     assert_int_equal(core.game.language, LANGUAGE_JA);
 }
 
-/* Runs the game without player input until it is in attract mode again, through the result and the
- * leaderboards. */
+/* Runs the game without player input, through the result and the leaderboards, until it is in
+ * attract mode again. */
 static void steps_into_attract(void)
 {
     for (uint32_t i = 0; i < 120u * CORE_TICK_HZ && core.game.phase != PHASE_ATTRACT; i++) {
@@ -280,8 +281,8 @@ static void test_a_language_chosen_in_attract_lasts_for_one_cycle(void **state)
     press(INPUT_LANGUAGE);
     assert_int_equal(core.game.language, LANGUAGE_EN);
     steps(LANGUAGE_TICKS / 2u);
-    /* The second press selects Japanese, the operator's language. No timeout restores a language,
-     * because the operator's language is already selected. */
+    /* This press selects Japanese, the operator's language. No timeout is needed to restore it, so
+     * the language must stay. */
     press(INPUT_LANGUAGE);
     assert_int_equal(core.game.language, LANGUAGE_JA);
     steps(2u * LANGUAGE_TICKS);

@@ -1,5 +1,6 @@
-/* test_players.c -- checks up to four players at one tank. Each player has a bowl, a poi, paper and
- * a count of fish, and may end the round at another time. */
+/* test_players.c -- checks the game with up to four players at one tank. Each player has a bowl, a
+ * poi, paper and a count of fish. A player's round may end earlier than the rounds of the
+ * others. */
 #include "tests/unit/support/core_fixture.h"
 
 #include "core/poi/paper/paper_patch.h"
@@ -14,7 +15,7 @@ static const vec3 places_m[POI_MAX] = {
     { -0.20f, ABOVE_M, -0.15f },
 };
 
-/* Starts a round for `players` players. Bit i of `hands` is set if player i has a controller. */
+/* Starts a round with `players` bowls. Bit i of `hands` is set if player i has a controller. */
 static void play(uint8_t players, uint32_t hands)
 {
     const struct core_config config = {
@@ -31,7 +32,7 @@ static void play(uint8_t players, uint32_t hands)
     tick();
 }
 
-/* Drops a fish into a player's bowl, as if it fell from that player's poi. */
+/* Drops fish number `which` into a player's bowl, as if it fell from that player's poi. */
 static void drop_into_bowl(uint32_t player, uint32_t which)
 {
     struct fish *fish = &core.world.tank.fish[which];
@@ -106,7 +107,7 @@ static void test_a_player_without_paper_is_out_and_the_others_continue(void **st
     assert_int_equal(core.game.phase, PHASE_ROUND);
     tear_all(2);
     ticks(GAME_GONE_TICKS);
-    /* The round continues for GAME_GONE_TICKS after the last paper tore, so that the players see
+    /* After the last paper tore, the round continues for GAME_GONE_TICKS, so that the players see
      * the hole. */
     assert_int_equal(core.game.phase, PHASE_ROUND);
     ticks(2);
@@ -132,7 +133,8 @@ static void test_a_torn_poi_may_be_used_while_it_can_hold_a_fish(void **state)
     (void)state;
     play(1, 0x1u);
     struct sheet *sheet = &core.world.poi[0].sheet;
-    /* Tears the first ten rows of cells, the third of the paper farthest from the player. */
+    /* Turns the first ten rows of cells into holes. These rows are the third of the paper that is
+     * farthest from the player. */
     for (uint32_t i = 0; i < 10u * SHEET_SIDE; i++) {
         if (sheet->state[i] == CELL_PAPER) {
             sheet->state[i] = CELL_HOLE;
@@ -150,7 +152,8 @@ static void test_a_torn_poi_may_be_used_while_it_can_hold_a_fish(void **state)
 static void test_the_record_lists_the_players_and_their_results(void **state)
 {
     (void)state;
-    play(4, 0x5u); /* Bits 0 and 2: the first and the third player take part. */
+    /* Bits 0 and 2 are set, so the first and the third player take part. */
+    play(4, 0x5u);
     lead(2, v3(places_m[2].x, BELOW_M, places_m[2].z));
     lead(2, places_m[2]);
     drop_into_bowl(0, 0);
@@ -171,7 +174,7 @@ static void test_the_record_lists_the_players_and_their_results(void **state)
     assert_int_equal(record->player[0].torn_tick, torn_tick);
     assert_int_equal(record->player[2].caught, 2);
     assert_int_equal(record->player[2].scoops, 1);
-    /* 5,027 mm^2 is the whole paper, a disc of 80 mm diameter. */
+    /* The hole is the whole paper, a disc of 80 mm diameter, whose area is 5,027 mm^2. */
     assert_int_equal(record->player[2].hole_area_mm2, 5027);
     assert_int_equal(record->player[2].sheets, 1);
     assert_int_equal(record->player[1].caught, 0);
@@ -214,12 +217,12 @@ static void test_any_player_can_start_by_a_dip(void **state)
     dip(2, 0.1f, 0.0f);
     assert_int_equal(core.game.phase, PHASE_READY);
     open_core(&config);
-    /* The kiosk is set to three players, so the fourth poi cannot start a round. */
+    /* The kiosk is set to three players, so a dip of the fourth poi starts no round. */
     dip(3, 0.1f, 0.0f);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* A controller that appears during a round takes part from that moment. */
+/* A player whose controller appears during a round takes part from that moment. */
 static void test_a_late_player_joins_the_round(void **state)
 {
     (void)state;
@@ -234,8 +237,8 @@ static void test_a_late_player_joins_the_round(void **state)
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }
 
-/* The ring was not above the water (`clear_ticks` is 0), which would be a foul in a championship.
- * In a festival the fish counts for the owner of the bowl, player 1. */
+/* The ring was not above the water (`clear_ticks` is 0). This would be a foul in a championship. In
+ * a festival the fish counts for player 1, who owns the bowl. */
 static void test_a_fish_counts_for_the_bowl_it_lies_in_in_a_festival(void **state)
 {
     (void)state;
@@ -260,8 +263,8 @@ static void test_a_scoop_counts_only_while_a_player_controls_the_poi(void **stat
     lead(0, v3(0.0f, BELOW_M, 0.0f));
     ticks(60);
     assert_int_equal(core.world.poi[0].dips, 1);
-    /* The poi is under water. Losing and finding its controller three times must not count as
-     * dips. */
+    /* The poi is under water while its controller is lost and found three times. This must not
+     * count as dips. */
     for (uint32_t i = 0; i < 3; i++) {
         input.poi[0].link = POI_SOURCE_LOST;
         ticks(4u * CORE_TICK_HZ);

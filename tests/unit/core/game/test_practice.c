@@ -1,5 +1,5 @@
-/* test_practice.c -- checks practice mode: the paper shows its stress, torn paper is replaced,
- * hints are shown, and no score is stored. */
+/* test_practice.c -- checks practice mode, in which the paper shows its stress, torn paper is
+ * replaced, hints are shown, and no score is stored. */
 #include "tests/unit/support/core_fixture.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/newest_record.h"
@@ -43,7 +43,7 @@ static void test_a_torn_poi_is_replaced_by_a_new_one(void **state)
     first = core.world.poi[0].sheet;
     tear_all(0);
     ticks(CORE_TICK_HZ);
-    /* Torn paper is shown for a second before it is replaced. */
+    /* The torn paper is still shown, because it is replaced only after a second. */
     assert_int_equal(core.world.poi[0].sheet.paper_cells, 0);
     ticks(2);
     second = core.world.poi[0].sheet;
@@ -70,7 +70,7 @@ static void test_a_torn_poi_is_replaced_above_the_water(void **state)
     ticks(120);
     assert_int_equal(core.world.poi[0].sheet.paper_cells, core.world.poi[0].sheet.paper_cells_new);
     assert_int_equal(game_record(&core.game, &core.world, &core.config).player[0].scoops,
-                     1); /* `scoops` includes the scoop that tore the first paper. */
+                     1); /* `scoops` includes the scoop in which the first paper tore. */
 }
 
 static void test_only_time_ends_a_practice(void **state)
@@ -92,14 +92,14 @@ static void test_a_practice_stores_no_score(void **state)
     assert_int_equal(newest_record(&output)->id, 0);
     assert_int_equal(core.game.accounts.ranking.row[MODE_PRACTICE][RANK_DAY][0].caught, 0);
     assert_int_equal(game_record(&core.game, &core.world, &core.config).caught,
-                     50); /* The catch is in the record of the round but in no leaderboard. */
+                     50); /* The catch is in the record of the round, but not on a leaderboard. */
 }
 
-/* Dips a tilted ring until its middle is at the water surface, and lifts it, so that half of the
- * paper is wet. */
+/* Dips a tilted ring until its middle is at the water surface, and lifts it again. Afterwards half
+ * of the paper is wet. */
 static void wet_half(void)
 {
-    /* The poi turns at the speed of a wrist. A sudden turn would be an invalid input. */
+    /* Turns the poi no faster than a wrist can, because a sudden turn would be an invalid input. */
     for (uint32_t i = 1; i <= 30; i++) {
         input.poi[0].target.angles.pitch_rad = 0.7f * (float)i / 30.0f;
         ticks(1);
@@ -144,7 +144,7 @@ static void test_a_poured_fish_gives_the_clear_rim_hint(void **state)
     core.world.poi[0].carried_fish[core.world.poi[0].carried_count++] = washed;
     ticks(240);
     assert_int_equal(look()->hint, HINT_CLEAR_RIM);
-    /* In practice a foul only shows a hint, and the fish counts. */
+    /* In practice, a foul must only show a hint. The fish still counts. */
     assert_int_equal(scene.player[0].fouls, 0);
     assert_int_equal(scene.caught[0], 1);
     ticks(600);

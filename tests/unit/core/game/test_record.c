@@ -1,5 +1,5 @@
 /* test_record.c -- checks which fish count, what the record of a round contains, and that two
- * rounds differ. */
+ * rounds are different. */
 #include "tests/unit/support/game_fixture.h"
 #include "core/game/phases.h"
 #include "core/game/table_setup.h"
@@ -47,7 +47,7 @@ static void test_a_round_leaves_a_record_with_the_id_of_its_entry(void **state)
     assert_true(purse_keeps_record(&output));
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 2);
     assert_int_equal(newest_record(&output)->caught, 0);
-    /* The second round caught no fish, so the best score of the day is still 4. */
+    /* No fish was caught in the second round, so the best score of the day is still 4. */
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
 }
 
@@ -62,7 +62,7 @@ static void test_record_ids_continue_after_those_of_the_store(void **state)
     assert_true(newest_record(&output)->id > 41);
     assert_true(purse_keeps_record(&output));
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
-    /* The last stored entry has id 41, so the first new entry gets id 42. */
+    /* The last entry in the store has the id 41, so the first new entry gets the id 42. */
     assert_int_equal(purse_entry(&output, 42)->id, 42);
 }
 
@@ -104,8 +104,8 @@ static void test_a_start_empties_the_bowl_and_releases_carried_fish(void **state
     input.pressed = 0;
     float last_m = core.world.tank.fish[1].position_m.y;
     assert_true(last_m > 0.03f);
-    /* The released fish falls into the water and must not jump there. Each step is less than 15
-     * mm. */
+    /* The released fish falls back into the water. It must not jump, so it moves by less than 15 mm
+     * in each tick. */
     for (uint32_t i = 0; i < 60; i++) {
         core_tick(&core, &input, &output);
         assert_true(f_abs(core.world.tank.fish[1].position_m.y - last_m) < 0.015f);
@@ -145,8 +145,8 @@ static void test_the_fish_of_a_removed_poi_falls_into_the_water(void **state)
     hold_a_fish(1, 0.05f);
     core.world.poi[0].carried_fish[0] = (struct carried_fish){ .fish = 1 };
     core.world.poi[0].carried_count = 1;
-    /* tank.fish[2] has GAIT_HELD although no poi carries this fish. The core must release
-     * tank.fish[2] too. */
+    /* tank.fish[2] has GAIT_HELD, although no poi carries it. The core must release this fish
+     * too. */
     hold_a_fish(2, 0.05f);
     input.poi[0].link = POI_SOURCE_ABSENT;
     core_tick(&core, &input, &output);
@@ -163,7 +163,7 @@ static void test_the_fish_of_a_removed_poi_falls_into_the_water(void **state)
 static void test_a_round_without_a_player_ends_without_a_record(void **state)
 {
     (void)state;
-    /* START begins a round although no controller is connected. */
+    /* START begins a round even if no controller is connected. */
     press(INPUT_START);
     steps(GAME_READY_TICKS);
     assert_int_equal(core.game.phase, PHASE_ROUND);

@@ -28,7 +28,7 @@ static void tick(struct core *at, const struct input *input, struct output *to)
     core_tick(at, input, to);
 }
 
-/* Runs the core with `input` until a session starts, for at most `tick_max` ticks. Returns the
+/* Runs the core with `input` until a new session starts, for at most `tick_max` ticks. Returns the
  * number of ticks. */
 static uint32_t run_to_session(const struct input *input, uint32_t tick_max)
 {
@@ -55,7 +55,8 @@ static void test_ten_minutes_of_attract_are_a_session(void **state)
     assert_true(core.config.seed != 3 && core.config.seed != second);
 }
 
-/* Simulates visitors for `ticks` ticks: coins, and presses of SERVICE, LANGUAGE, TEST and START. */
+/* Simulates visitors for `ticks` ticks. They insert coins and press SERVICE, LANGUAGE, TEST and
+ * START. */
 static void live(uint32_t ticks, struct input *input)
 {
     static const uint32_t presses[] = { INPUT_SERVICE, INPUT_LANGUAGE, INPUT_TEST,
@@ -73,8 +74,8 @@ static void live(uint32_t ticks, struct input *input)
     input->pressed = 0;
 }
 
-/* A second core that gets the session's configuration and its inputs must reach the same state.
- * Replays depend on this. */
+/* A second core gets the session's configuration and its inputs. It must reach the same state,
+ * because replays depend on this. */
 static void test_a_session_depends_only_on_its_configuration_and_inputs(void **state)
 {
     (void)state;
@@ -161,8 +162,8 @@ static void test_a_new_session_keeps_credits_and_settings(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* The picture fades to black, the session changes while it is black, and the picture fades in. The
- * fade must be short and without a jump. */
+/* The picture fades to black, the session changes while the picture is black, and then the picture
+ * fades in. The fade must be short and must not jump. */
 static void test_the_picture_is_dark_only_at_the_session_change(void **state)
 {
     (void)state;
@@ -186,8 +187,8 @@ static void test_the_picture_is_dark_only_at_the_session_change(void **state)
     assert_in_range(dark, 3u * SESSION_FADE_TICKS - 4u, 3u * SESSION_FADE_TICKS);
 }
 
-/* If a player dips during the fade, the session continues and ends when attract mode is reached
- * again. */
+/* If a player dips during the fade, the session does not change. It ends when attract mode is
+ * reached again. */
 static void test_a_player_prevents_the_session_change(void **state)
 {
     (void)state;

@@ -1,12 +1,12 @@
-/* test_shade_foul.c -- checks the foul of shade: before the start of a championship, no player may
- * hold a shadow over fish. The umpire detects this from the motion of pois and fans. */
+/* test_shade_foul.c -- checks the foul of shade: before a championship starts, no player may hold a
+ * shadow over fish. The core detects this foul from the motion of pois and fans. */
 #include "tests/unit/support/core_fixture.h"
 
 #include "core/game/phases.h"
 
 #define READY_TICKS (5u * CORE_TICK_HZ)
 
-/* Position in front of the tank, outside its near wall. */
+/* Position for the poi outside the tank, in front of the near wall. */
 static const vec3 aside_m = { 0.0f, ABOVE_M, 0.45f };
 
 static void begin(uint8_t mode, uint32_t fish_count)
@@ -53,12 +53,13 @@ static void test_a_fan_held_over_fish_before_the_start_is_one_foul(void **state)
     fan(1, 0.1f);
     ticks(170);
     assert_int_equal(look()->player[0].fouls, 0);
-    /* The fan has been held still for 190 ticks. A foul needs 180 ticks (1.5 s). */
+    /* After these ticks the fan has been held still for 190 ticks. A foul needs 180 ticks (1.5
+     * s). */
     ticks(20);
     assert_int_equal(look()->player[0].fouls, 1);
     assert_int_equal(scene.player[0].foul, FOUL_SHADE);
     assert_true(scene.player[0].foul_s < 0.2f);
-    /* A fan that stays in place counts as only one foul. */
+    /* While the fan stays in place, it must count as only one foul. */
     ticks(READY_TICKS - 200u);
     assert_int_equal(look()->player[0].fouls, 1);
     assert_int_equal(sounds[SOUND_FOUL], 1);
@@ -86,7 +87,7 @@ static void test_a_passing_or_waving_fan_is_no_foul(void **state)
     (void)state;
     for (uint32_t i = 0; i < READY_TICKS - 10u; i++) {
         const float share = (float)(i % 240u) / 120.0f;
-        /* Moves the fan to and fro at 0.4 m/s. */
+        /* Moves the fan from side to side at 0.4 m/s. */
         fan(1, 0.4f * (share < 1.0f ? share : 2.0f - share));
         tick();
     }
@@ -146,16 +147,16 @@ static void test_a_poi_at_rest_since_ready_is_no_foul(void **state)
                                         .preset = TANK_PRESET_OFFICIAL,
                                         .modes = 1u << MODE_CHAMPIONSHIP };
     open_core(&config);
-    /* Holds the poi in one place both before and after START is pressed. */
+    /* Holds the poi in one place from before START is pressed. */
     hold(0, v3(0.05f, ABOVE_M, 0.05f));
     press(INPUT_START);
-    /* The poi trembles by 1 mm. */
+    /* The sensor noise lets the poi tremble by 1 mm. */
     for (uint32_t i = 0; i < READY_TICKS - 10u; i++) {
         input.poi[0].target.position_m.x = 0.05f + (i % 2u ? 0.001f : 0.0f);
         tick();
     }
-    /* The shadow has not moved for longer than FOUL_SHADE_S and lies on fish. This is no foul,
-     * because the player did not move it there after START. */
+    /* The shadow has been still for longer than FOUL_SHADE_S and lies on fish. This is not a foul,
+     * because the player did not move the shadow to the fish after START. */
     assert_true(core.world.tank.shade[SHADE_MAX].still_s > FOUL_SHADE_S);
     assert_true(tank_shade_count(&core.world.tank, &core.world.tank.shade[SHADE_MAX].cast) > 0);
     assert_int_equal(look()->player[0].fouls, 0);
@@ -181,7 +182,7 @@ static void test_a_fan_is_a_foul_of_its_player(void **state)
     ticks(200);
     assert_int_equal(look()->player[0].fouls, 0);
     assert_int_equal(scene.player[1].fouls, 1);
-    /* Player 2 has no bowl and does not play, so the shadow of poi 2 is nobody's foul. */
+    /* Player 2 has no bowl and does not play, so the shadow of this player's fan is not a foul. */
     assert_int_equal(scene.player[2].fouls, 0);
 }
 
@@ -207,7 +208,7 @@ static void test_shade_is_no_foul_during_the_round(void **state)
 static void test_the_shadow_of_a_lost_controller_is_no_foul(void **state)
 {
     (void)state;
-    /* The poi moves over fish after START, and its controller is then lost. */
+    /* Moves the poi over fish after START. Then the controller is lost. */
     lead(0, v3(0.1f, ABOVE_M, 0.0f));
     input.poi[0].link = POI_SOURCE_LOST;
     ticks(READY_TICKS - 180u);

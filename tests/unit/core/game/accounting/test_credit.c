@@ -27,7 +27,8 @@ static void test_a_start_without_a_credit_is_shown(void **state)
     press(INPUT_START);
     core_scene(&core, &scene);
     assert_true(scene.credit.asked_s < 0.1f);
-    assert_int_equal(sounds[SOUND_FOUL], 1); /* A rejected start plays the sound of a foul. */
+    /* A start that the core rejects plays the sound of a foul. */
+    assert_int_equal(sounds[SOUND_FOUL], 1);
     assert_true(scene.credit.unpaid);
 }
 
@@ -54,7 +55,8 @@ static void test_a_coin_in_the_tick_of_start_counts(void **state)
     input.coin_count[0] = 1;
     press(INPUT_START);
     input.coin_count[0] = 0;
-    /* In this step the store reports the ledger entry as saved, so the round begins. */
+    /* In this step the store reports that the ledger entry of the payment is saved, so the round
+     * begins. */
     step();
     assert_int_equal(core.game.phase, PHASE_READY);
     assert_int_equal(credits(), 0);
@@ -68,8 +70,8 @@ static void test_surplus_coins_count_toward_the_next_round(void **state)
     assert_int_equal(balance()->units, 1);
     press(INPUT_START);
     assert_int_equal(credits(), 1);
-    /* One of the two credits paid for the current round. The surplus coin and PRICE - 1 new coins
-     * make a further credit during the round. */
+    /* One of the two credits paid for the current round. The surplus coin and these PRICE - 1 coins
+     * give one more credit during the round. */
     drop(PRICE - 1u);
     assert_int_equal(credits(), 2);
 }
@@ -81,8 +83,8 @@ static void test_a_full_credit_count_rejects_coins_and_loses_no_inserted_coin(vo
     drop(CREDITS_MAX * PRICE);
     assert_int_equal(credits(), CREDITS_MAX);
     assert_int_equal(output.coin_lockout, 1);
-    /* These coins were inserted before the coin slot closed. Their value stays in the balance as
-     * units. */
+    /* Inserts more coins, as if they had been in the slot when it closed. Their value stays in the
+     * balance as units. */
     drop(PRICE);
     assert_int_equal(credits(), CREDITS_MAX);
     assert_int_equal(balance()->units, PRICE);
@@ -138,7 +140,7 @@ static void test_a_finished_round_costs_one_credit(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 0);
     steps(GAME_AGAIN_DIP_TICKS);
     press(INPUT_START);
-    /* No credit is left for another round, so START has no effect. */
+    /* No credit is left, so START cannot begin another round. */
     assert_int_equal(core.game.phase, PHASE_RESULT);
     drop(PRICE);
     press(INPUT_START);
@@ -195,7 +197,7 @@ static void test_a_permanently_lost_poi_refunds_the_credit(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 1);
     assert_int_equal(core.game.hints.shown, HINT_PAID_BACK);
     steps(GAME_RESULT_TICKS);
-    /* The return to attract mode must not refund the credit a second time. */
+    /* The return to attract mode has not refunded the credit a second time. */
     assert_int_equal(credits(), 1);
 }
 
@@ -224,8 +226,8 @@ static void test_a_free_round_is_not_refunded(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 0);
 }
 
-/* If the controller is unplugged, the round is refunded. A refunded round gives neither tickets nor
- * a rank, even with a full bowl. */
+/* If the controller stays lost, the round is refunded. A refunded round gives neither tickets nor a
+ * rank, however many fish were caught. */
 static void test_a_refunded_round_is_not_scored(void **state)
 {
     (void)state;
@@ -251,7 +253,8 @@ static void test_a_refunded_round_is_not_scored(void **state)
     hold_at(ABOVE_M);
     press(INPUT_START);
     steps(GAME_READY_TICKS + ROUND_S * CORE_TICK_HZ);
-    /* The controller is not lost again, so the next round is played to its end without a refund. */
+    /* In this round the controller was not lost. The round was therefore played to its end without
+     * a refund. */
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(purse_entry(&output, newest_record(&output)->id)->kind, LEDGER_ROUND);
     core_scene(&core, &scene);
@@ -287,7 +290,7 @@ static void test_prices_and_tickets_out_of_range_are_rejected(void **state)
 }
 
 /* Inserts random coins at random times. At the end, each coin must be part of a credit or of the
- * balance, and each credit must be a played round or still available. */
+ * balance. Each credit must have paid for a round or still be available. */
 static void test_every_coin_is_accounted_for_in_a_random_day(void **state)
 {
     (void)state;

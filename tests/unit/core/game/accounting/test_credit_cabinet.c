@@ -1,5 +1,5 @@
-/* test_credit_cabinet.c -- checks a paid kiosk with the devices of its cabinet: tickets, coin
- * lockout, door switch, tilt switch and operating hours. */
+/* test_credit_cabinet.c -- checks a paid kiosk with the devices of its cabinet (tickets, coin
+ * lockout, door switch, tilt switch) and with operating hours. */
 #include "tests/unit/support/paid_fixture.h"
 #include "core/game/phases.h"
 
@@ -9,8 +9,8 @@ static void test_tickets_count_only_complete_groups_of_own_fish(void **state)
 {
     (void)state;
     play_a_paid_round();
-    /* One ticket is given for five fish. The 14 fish give two tickets, and the other player's four
-     * fish give none. */
+    /* Five fish give one ticket. The 14 fish of the first player give two tickets, and the four
+     * fish of the second player give none. */
     core.game.player[0].caught = 14;
     core.game.player[1].plays = core.game.player[1].out = 1;
     core.game.player[1].caught = 4;
@@ -45,8 +45,8 @@ static void test_coins_are_rejected_while_no_player_can_play(void **state)
     step();
     assert_int_equal(output.coin_lockout, 1);
     assert_int_equal(core.game.accounts.credit.warnings, WARN_NO_POI);
-    /* A second controller is connected, but the kiosk is set to one player, whose poi is
-     * missing. */
+    /* A second controller is connected. The kiosk is set to one player whose poi is missing, so the
+     * second controller must not open the coin slot. */
     input.poi[1].link = POI_SOURCE_LIVE;
     step();
     assert_int_equal(output.coin_lockout, 1);
@@ -74,12 +74,13 @@ static void test_an_open_door_warns_and_rejects_coins(void **state)
 static void test_a_shake_warns_for_a_while_and_counts_once(void **state)
 {
     (void)state;
-    /* The tilt switch reports only one press. The warning must last for CREDIT_TILT_TICKS. */
+    /* The tilt switch reports only one press, but the warning must last for CREDIT_TILT_TICKS. */
     press(INPUT_TILT);
     for (uint32_t i = 0; i < 3; i++) {
         assert_int_equal(core.game.accounts.credit.warnings, WARN_TILT);
         assert_int_equal(output.coin_lockout, 1);
-        /* A shake during the warning counts as the same shake, so `shakes` stays 1. */
+        /* A second press during the warning counts as part of the same shake, so `shakes` stays
+         * 1. */
         press(INPUT_TILT);
     }
     assert_int_equal(core.game.accounts.credit.shakes, 1);
@@ -109,7 +110,7 @@ static void test_the_final_entry_completes_the_operating_time(void **state)
     assert_in_range(audit(AUDIT_UP_S_MAX), 120, 130);
     assert_int_equal(
         health_log_final(&core.game.accounts, &core.game.health_log, core.game.tick, &input, &last),
-        0); /* A start number of 0 means that no store was found, so no final entry is returned. */
+        0); /* Because the start number is 0, no store was found, so no final entry is returned. */
     core.game.accounts.ledger.boot = 3;
     const uint64_t hash = core_hash(&core);
     const uint32_t told = audit(AUDIT_UP_S);
@@ -119,7 +120,8 @@ static void test_the_final_entry_completes_the_operating_time(void **state)
     assert_int_equal(last.kind, LEDGER_HEALTH);
     assert_int_equal(last.id, core.game.accounts.ledger.last_id + 1u);
     assert_int_equal(last.boot, 3);
-    /* The seconds in the audits and in the final entry add up to the 130 s since the start. */
+    /* The kiosk has run for 130 s. The audits contain some of these seconds, and the final entry
+     * contains the others. */
     assert_int_equal(told + (uint32_t)last.value, 130);
     assert_int_equal(last.health.up_s, 130);
     assert_true(core_hash(&core) == hash);

@@ -1,15 +1,18 @@
-/* test_full_ring.c -- checks the kiosk while the ring buffer of unsaved ledger entries is full, or
- * the store has failed, is late or appears later. No button may stop the kiosk, and no round may
- * start without payment. Paid credits must be available again when the store works. */
+/* test_full_ring.c -- checks the kiosk while its ring buffer of unsaved ledger entries is full,
+ * because the store has failed, is late or appears later. No button may stop the kiosk, and no
+ * round may start without payment. When the store works again, paid credits must be available
+ * again. */
 #include "tests/unit/support/game_fixture.h"
 #include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
 
 #define PRICE 1u
-#define COINS_FOR_A_FULL_RING 40u /* Each coin writes two entries while the ring buffer has room. */
+/* Number of coins after which the ring buffer is full. Each coin writes two entries while there is
+ * room. */
+#define COINS_FOR_A_FULL_RING 40u
 
-/* Opens a paid kiosk with three modes. `boots` counts the starts of the kiosk; 0 means that no
- * store was found. */
+/* Opens a paid kiosk with three modes. `boots` is the number of starts of the kiosk; 0 means that
+ * no store was found. */
 static void open_paid(uint32_t boots)
 {
     const struct core_config config = {
@@ -104,12 +107,13 @@ static void test_a_full_store_only_delays_the_game(void **state)
         const int plays = core.game.phase == PHASE_READY;
         assert_int_equal(plays, core.game.accounts.ledger.balance.open == PAYMENT_PAID);
         assert_true(plays || core.game.phase == PHASE_MODE_SELECT);
-        /* Waits for the countdown of a started round, or for the timeout of the mode selection. */
+        /* Runs until the countdown of a started round is over, or until the mode selection has
+         * timed out. */
         steps(GAME_READY_TICKS + RULES_MODE_SELECT_TICKS);
         drop_each(coins);
         input.poi[0].link = POI_SOURCE_ABSENT;
         steps(GAME_LOST_TICKS_MAX + GAME_AGAIN_TICKS);
-        /* These button presses leave the result screen. Afterwards no ledger entry may wait for
+        /* Leaves the result screen by button presses. Afterwards no ledger entry may be waiting for
          * room in the ring buffer. */
         for (uint32_t i = 0; i < 4; i++) {
             press(INPUT_START | INPUT_OK);
@@ -121,8 +125,8 @@ static void test_a_full_store_only_delays_the_game(void **state)
 
 static uint32_t draw(uint32_t *seed, uint32_t below)
 {
-    /* A linear congruential generator by Knuth. Only its upper 16 bits, which are sufficiently
-     * random, are used. */
+    /* Computes the next number of Knuth's linear congruential generator. Only the upper 16 bits are
+     * used, because the lower bits are less random. */
     *seed = *seed * 1664525u + 1013904223u;
     return (*seed >> 16) % below;
 }
@@ -169,7 +173,7 @@ static void test_a_store_that_appears_late_is_used_after_any_number_of_coins(voi
     open_paid(0);
     drop_each(COINS_FOR_A_FULL_RING);
     assert_int_equal(core.game.accounts.ledger.balance.paid, COINS_FOR_A_FULL_RING);
-    /* No store has saved the newest entry, so no credit is committed. */
+    /* No store has saved the newest entry, so no credit is committed yet. */
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 0);
     assert_int_equal(output.coin_lockout, 1);
     press(INPUT_START);
@@ -179,8 +183,8 @@ static void test_a_store_that_appears_late_is_used_after_any_number_of_coins(voi
     input.store_well = 1;
     step();
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 0);
-    /* The first entry after the store appears contains the balance of all coins, including those
-     * that were inserted while the ring buffer was full. */
+    /* The first entry after the store appeared contains the balance of all coins. This includes the
+     * coins that were inserted while the ring buffer was full. */
     assert_true(output.entry_id > before_id);
     assert_int_equal(purse_entry(&output, output.entry_id)->balance.paid, COINS_FOR_A_FULL_RING);
     revive_store();

@@ -1,6 +1,6 @@
-/* test_ledger_range.c -- checks records with a valid checksum but a value out of range. The
- * mirror file, the database, the replay and the core must reject them. Entry ids must never wrap
- * around. */
+/* test_ledger_range.c -- checks ledger entries with a valid checksum but a value out of range. The
+ * mirror file, the database, the replay and the core must reject them. Ids of entries must never
+ * wrap around. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -69,8 +69,8 @@ static struct ledger_entry played(uint32_t id)
 
 /* ---- Range of each ledger field -------------------------------------------------------------- */
 
-/* Returns the entry of a coin with one invalid value. `which` (less than BAD_COIN_COUNT) selects
- * the value. */
+/* Returns a coin entry with one invalid value, which is selected by `which` (less than
+ * BAD_COIN_COUNT). */
 static struct ledger_entry bad_coin(uint32_t which)
 {
     struct ledger_entry entry = coin(2);
@@ -104,8 +104,8 @@ static struct ledger_entry bad_coin(uint32_t which)
 }
 #define BAD_COIN_COUNT 8u
 
-/* Returns an entry of a round or of a related kind with one invalid value. `which` counts from
- * BAD_COIN_COUNT and selects the value. */
+/* Returns an entry of a round, or of a related kind, with one invalid value. The value is selected
+ * by `which`, which counts from BAD_COIN_COUNT. */
 static struct ledger_entry bad_round(uint32_t which)
 {
     struct ledger_entry entry = played(2);
@@ -183,13 +183,15 @@ static void test_tickets_refunds_and_open_rounds_have_their_ranges(void **state)
     entry.detail = 0x61;
     entry.value = 0x1f0002;
     assert_true(ledger_entry_is_valid(&entry));
-    /* The low four bits of `detail` are the mode, and mode 15 does not exist. */
+    /* The low four bits of `detail` are the mode. Mode 15 does not exist. */
     entry.detail = 0x6f;
     assert_false(ledger_entry_is_valid(&entry));
     entry.detail = 0x61;
-    entry.value = 0x400000; /* These bits of `value` are the level, here LEVEL_EASY. */
+    /* Sets the level, which is stored in these bits of `value`, to LEVEL_EASY. */
+    entry.value = 0x400000;
     assert_true(ledger_entry_is_valid(&entry));
-    entry.value = 0x600000; /* Level 3 does not exist. */
+    /* Sets the level to 3, which does not exist. */
+    entry.value = 0x600000;
     assert_false(ledger_entry_is_valid(&entry));
 }
 
@@ -230,8 +232,8 @@ static void test_the_database_returns_no_entry_out_of_range(void **state)
         unlink(path);
         assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
         if (entry.kind == LEDGER_ROUND && entry.round.mode >= MODE_COUNT) {
-            /* An unscored round is not passed to the ranking, which asserts that the mode is
-             * valid. */
+            /* Marks the round as unscored, because the ranking asserts that the mode of a scored
+             * round is valid. */
             entry.round.unscored = 1;
         }
         assert_int_equal(ledger_file_write(&file, &entry, 1), SQLITE_OK);
@@ -243,9 +245,9 @@ static void test_the_database_returns_no_entry_out_of_range(void **state)
 
 /* ---- Aggregates ----------------------------------------------------------------------------- */
 
-/* Changes of the database that Kingyo never makes: one for each column of the ranking and of the
- * stored state. `is_read` is 1 if the changed value reaches the core. Other values are clamped or
- * skipped. */
+/* SQL statements that change the database in ways that Kingyo never does, one for each column of
+ * the ranking and of the stored state. `is_read` is 1 if the changed value reaches the core. If it
+ * is 0, the value is clamped or skipped. */
 static const struct {
     const char *change;
     int is_read;
@@ -268,8 +270,8 @@ static const struct {
     { "UPDATE audits SET count = -1", 0 },
 };
 
-/* Writes a database and executes the SQL statement `change` on it. The stored checksums are
- * removed, as in files of earlier versions, so that only the range checks can detect the change. */
+/* Writes a database and executes the SQL statement `change` on it. Removes the stored checksums,
+ * which earlier versions did not have, so that only the range checks can detect the change. */
 static void write_changed_file(const char *change)
 {
     struct ledger_file file;
@@ -291,8 +293,8 @@ static void write_changed_file(const char *change)
     sqlite3_close(db);
 }
 
-/* Checks that the store opens for each change. If `has_backup` is true, a backup file with the same
- * change lies beside the database. */
+/* Checks that the store opens in spite of each change. If `has_backup` is true, a backup file with
+ * the same change exists beside the database. */
 static void expect_a_start_for_each_change(bool has_backup)
 {
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
@@ -315,8 +317,8 @@ static void expect_a_start_for_each_change(bool has_backup)
         const struct core_config config = { .fish_count = 4, .persistent = memory };
         assert_int_equal(core_init(&core, &config), CORE_OK);
         assert_int_equal(memory.ledger.last_id, 1);
-        /* The ledger entries are valid, so the store has rebuilt a ranking with an invalid value
-         * from them. */
+        /* The ledger entries themselves are valid. If the changed value was invalid, the store has
+         * rebuilt the ranking from the entries. */
         if (changes[i].is_read) {
             assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].round_id, 1);
             assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught, 3);
@@ -354,7 +356,7 @@ static void test_a_database_whose_ids_would_wrap_keeps_its_credits_over_a_restar
         assert_int_equal(ledger_file_write(&file, &first, 1), SQLITE_OK);
         assert_int_equal(ledger_file_write(&file, &last, 1), SQLITE_OK);
         ledger_file_close(&file);
-        /* The second start reads the entries that the first start wrote. */
+        /* Starts twice. The second start reads the entries that the first start wrote. */
         for (uint32_t start = 0; start < 2; start++) {
             storage = (struct storage){ .dir = dir, .without_thread = true };
             const struct hal_storage device = storage_device(&storage);
@@ -388,7 +390,7 @@ static void test_the_core_writes_no_entry_beyond_the_last_id(void **state)
         assert_true(core.game.accounts.ledger.last_id <= LEDGER_ID_MAX);
     }
     assert_int_equal(core.game.accounts.ledger.last_id, LEDGER_ID_MAX);
-    /* The coin slot is closed if the ledger is not safe. */
+    /* The ledger is not safe, so the coin slot must be closed. */
     assert_false(ledger_is_safe(&core.game.accounts.ledger));
 }
 
@@ -422,7 +424,8 @@ static void test_the_core_and_the_replay_reject_a_state_that_is_out_of_range(voi
     bad[11].session.credit.pending_coins[0].owed = UINT32_MAX;
     for (size_t i = 0; i < 12; i++) {
         assert_int_equal(core_init(&core, &bad[i]), CORE_ERR_RANGE);
-        if (i != 4 && i != 5) { /* The encoder cannot represent the values of cases 4 and 5. */
+        /* The encoder cannot represent the values of cases 4 and 5, so these cases are skipped. */
+        if (i != 4 && i != 5) {
             const size_t size = replay_initial_state_encode(&bad[i], bytes);
             memset(&back, 0, sizeof back);
             assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 0);

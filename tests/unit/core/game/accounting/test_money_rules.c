@@ -1,5 +1,5 @@
-/* test_money_rules.c -- checks single rules of coins, credits and the ledger: bonuses, free play,
- * pending entries, and the state that a start restores. */
+/* test_money_rules.c -- checks single rules of coins, credits and the ledger: the bonus, free play,
+ * pending entries, and the state that is restored at a start. */
 #include "core/game/phases.h"
 #include "core/game/accounting/accounts.h"
 #include "tests/unit/support/game_fixture.h"
@@ -74,7 +74,7 @@ static void test_a_round_between_two_coins_resets_the_bonus_count(void **state)
     assert_int_equal(balance()->bonus_units, 0);
     drop(PRICE);
     assert_int_equal(purse_credits(&core), 1);
-    /* The bonus is given for coins that follow each other without a round between them. */
+    /* The coins give a bonus, because no round was played between them. */
     drop(PRICE);
     assert_int_equal(purse_credits(&core), 3);
 }

@@ -1,8 +1,6 @@
-/* test_purse.c -- checks that every acknowledged ledger entry is present exactly once after a power
- * cut at any time.
- *
- * The test computes the expected balance from the inserted coins and from the entries on a
- * simulated disk. */
+/* test_purse.c -- checks that a power cut at any time neither loses nor repeats a ledger entry that
+ * the store had reported as saved. The test computes the expected balance from the inserted coins
+ * and from the entries on a simulated disk. */
 #include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/game_fixture.h"
@@ -11,16 +9,17 @@
 #define LOG_MAX 60000u
 #define CUTS 400u
 
-/* All ledger entries so far, indexed by id. Entries that were not on the disk at a power cut are
- * overwritten. */
+/* Ledger entries so far. The index is the id. If a power cut loses an entry, a new entry with the
+ * same id replaces it. */
 static struct ledger_entry journal[LOG_MAX];
 static struct disk {
-    uint32_t id;   /* Id of the last ledger entry on the disk. */
+    /* Id of the last ledger entry that is on the disk. */
+    uint32_t id;
     uint32_t told; /* Id of the newest entry that was reported to the kiosk as saved. */
     uint32_t ill;  /* Ticks until the store works again; 0 if the store works. */
     uint32_t boots;
 } disk;
-/* Value of all coins inserted since the last start, in coin units. */
+/* Value of all coins inserted since the last start of the kiosk, in coin units. */
 static uint32_t fallen;
 static uint32_t drawn;
 
@@ -29,15 +28,15 @@ static uint32_t draw(uint32_t count)
     return (uint32_t)((hash_u32(HASH_START, ++drawn) >> 20) % count);
 }
 
-/* Sums of the entries up to an id, computed from the single entries and not from the stored
- * balances. */
+/* Sums over the entries up to an id. They are computed from the single entries, so that they are
+ * independent of the stored balances. */
 struct sum {
     uint32_t units, credits, spent, back, service;
     uint32_t open; /* Number of rounds that have begun and not ended. */
 };
 
-/* Returns the number of open rounds after an entry of kind `kind`. At most one round may be
- * open. */
+/* Returns the number of open rounds after an entry of the kind `kind`. Checks that at most one
+ * round is open. */
 static uint32_t open_after(uint32_t open, uint8_t kind)
 {
     const int ends = kind == LEDGER_ROUND || kind == LEDGER_REFUND || kind == LEDGER_LEFT;
@@ -69,7 +68,7 @@ static void expect_balance(uint32_t id, const struct balance *balance)
     assert_int_equal(sum.credits + sum.service + sum.back,
                      balance->paid + balance->service + sum.spent);
     assert_int_equal(sum.open, balance->open != PAYMENT_NONE);
-    /* Refunds must not exceed the credits that were bought or given by SERVICE. */
+    /* No more credits may be refunded than were bought or given by SERVICE. */
     assert_true(sum.back <= sum.credits + sum.service);
 }
 
@@ -96,8 +95,8 @@ static void start(void)
     hold_at(ABOVE_M);
 }
 
-/* Stores the new entries of a tick. A round may begin only with a credit whose entry was already
- * reported as saved. */
+/* Copies the new entries of a tick. Checks that a round begins only with a credit whose entry was
+ * already reported as saved. */
 static void take_entries(uint32_t before)
 {
     for (uint32_t id = before + 1u; id <= output.entry_id; id++) {
@@ -117,7 +116,7 @@ static void serve_disk(void)
     if (disk.ill == 0 && draw(12) == 0 && disk.id < output.entry_id) {
         disk.id += 1u + draw(output.entry_id - disk.id);
     }
-    /* The store reports saved entries only in one of four ticks on average. */
+    /* The store reports the saved entries late: only in one of four ticks on average. */
     if (draw(4) == 0) {
         disk.told = disk.id;
     }
@@ -132,7 +131,8 @@ static void live(void)
     const uint32_t lines = draw(40) == 0;
     input.coin_count[0] = lines * draw(4);
     input.coin_count[2] = lines * (draw(3) == 0);
-    /* By default a coin in input 0 is worth one unit, and a coin in input 2 five units. */
+    /* By default, a coin of input 0 is worth one unit, and a coin of input 2 is worth five
+     * units. */
     fallen += input.coin_count[0] + 5u * input.coin_count[2];
     input.pressed = (draw(60) == 0 ? INPUT_START : 0u) | (draw(500) == 0 ? INPUT_SERVICE : 0u);
     input.poi[0].link = draw(300) == 0 ? POI_SOURCE_LOST : POI_SOURCE_LIVE;
@@ -140,8 +140,8 @@ static void live(void)
     take_entries(before);
 }
 
-/* Checks that all coin units inserted since the last start are in a ledger entry or in the units
- * that wait for an entry. */
+/* Checks that all coin units inserted since the last start are either in a ledger entry or still
+ * wait for an entry. */
 static void expect_no_coin_lost(uint32_t began)
 {
     uint32_t told = 0, waits = 0;
@@ -173,8 +173,8 @@ static void test_a_power_cut_at_any_tick_neither_loses_nor_repeats_stored_entrie
         begun += core.game.accounts.ledger.balance.open != PAYMENT_NONE;
         behind += disk.id < output.entry_id;
         assert_true(disk.id >= disk.told);
-        /* The kiosk starts again with the last entry on the disk. Later entries are lost, but the
-         * store had reported none of them as saved (`disk.told`). */
+        /* The kiosk starts again with the last entry on the disk. Later entries are lost, but none
+         * of these had been reported as saved (`disk.told`). */
         if (disk.id > 0) {
             const struct balance left = journal[disk.id].balance;
             expect_balance(disk.id, &left);

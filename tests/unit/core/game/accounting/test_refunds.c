@@ -1,17 +1,17 @@
-/* test_refunds.c -- checks when a round's credit is refunded: after the loss of a controller, from
- * the operator's menu, or after a power cut. A credit is refunded at most once. A round that is not
- * refunded keeps its score and tickets. */
+/* test_refunds.c -- checks when the credit of a round is refunded: after the loss of a controller,
+ * from the operator's menu, or after a power cut. A credit may be refunded at most once. A round
+ * that is not refunded keeps its score and tickets. */
 #include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/paid_fixture.h"
 
 #define SPENT_TICKS (2u * ROUND_S * CORE_TICK_HZ / 3u)
-/* Number of fish that the player catches. One ticket is given for five fish, so 14 fish give
- * two. */
+/* Number of fish that the player catches. Five fish give one ticket, so 14 fish give two. */
 #define FISH 14u
 #define TICKETS 2u
 
-/* State of the open round, computed from the ledger entries as the store computes it. */
+/* State of the open round. The test computes it from the ledger entries in the same way as the
+ * store. */
 static struct ledger_stand stand;
 static uint32_t seen_id;
 
@@ -31,7 +31,7 @@ static void noted_steps(uint32_t count)
     }
 }
 
-/* Simulates a power cut after which all written entries are on the disk. */
+/* Simulates a power cut at a moment when all written entries are on the disk. */
 static void cut_power(void)
 {
     static uint32_t boots = 1;
@@ -63,7 +63,7 @@ static int setup_refunds(void **state)
     return 0;
 }
 
-/* Starts a round with an available credit and plays the first `ticks` ticks. */
+/* Starts a round that an available credit pays for, and plays its first `ticks` ticks. */
 static void play(uint32_t ticks)
 {
     hold_at(ABOVE_M);
@@ -104,8 +104,8 @@ static void expect_refunded(void)
     assert_int_equal(balance()->open, PAYMENT_NONE);
 }
 
-/* Checks that the round is scored and its credit is not refunded, because the round was nearly over
- * or the credit was refunded before. */
+/* Checks that the round is scored and that its credit is not refunded. The reason is that the round
+ * was nearly over, or that the credit was refunded before. */
 static void expect_kept(uint32_t refunds)
 {
     assert_int_equal(audit(AUDIT_REFUNDS), refunds);
@@ -168,8 +168,8 @@ static void test_a_refunded_credit_stays_marked_after_a_restart(void **state)
     lose_controller();
     cut_power();
     assert_int_equal(balance()->returned, PAYMENT_PAID);
-    /* The new credit is paid with new coins, so it can be refunded although an earlier credit has
-     * already been refunded. */
+    /* New coins pay for another credit. This credit can be refunded, although the earlier credit
+     * has already been refunded once. */
     drop(PRICE);
     assert_int_equal(credits(), 2);
     play(10);
@@ -199,8 +199,8 @@ static void test_a_service_credit_is_refunded_at_most_once(void **state)
     assert_int_equal(audit(AUDIT_REFUNDS), 1);
 }
 
-/* At whatever second of a round the controller is lost, one credit must not pay for two whole
- * rounds. */
+/* One credit must not pay for two whole rounds, in whatever second of the round the controller is
+ * lost. */
 static void test_one_credit_pays_for_less_than_two_rounds(void **state)
 {
     for (uint32_t at = 1; at < ROUND_S; at += 3) {
@@ -258,8 +258,8 @@ static void test_repeated_losses_of_a_controller_are_counted(void **state)
     (void)state;
     drop(PRICE);
     play(10);
-    /* A loss of half a second does not count, so the loss after it is the first loss of the round
-     * and not a repeated loss. */
+    /* A loss of half a second is too short to count. The loss after it is therefore the first loss
+     * of the round, and not a repeated one. */
     lose_for(CORE_TICK_HZ / 2u);
     lose_for(2u * CORE_TICK_HZ);
     assert_int_equal(audit(AUDIT_LOST_AGAIN), 0);

@@ -1,19 +1,21 @@
-/* test_tickets.c -- checks that the entry of each ticket is stored before the dispenser starts, so
- * that a power cut never repeats a ticket. */
+/* test_tickets.c -- checks that the ledger entry of each ticket is stored before the dispenser
+ * starts, so that no ticket is dispensed again after a power cut. */
 #include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/paid_fixture.h"
 
 #define WON 5u
-#define SYNC_TICKS 7u /* Ticks from the writing of a ledger entry until the entry is on the disk. */
-/* Ticks from the writing of a ledger entry until the store reports the entry to the core as
- * stored. */
+/* Number of ticks between the writing of a ledger entry and the moment when the entry is on the
+ * disk. */
+#define SYNC_TICKS 7u
+/* Number of ticks between the writing of a ledger entry and the moment when the store reports the
+ * entry to the core as stored. */
 #define TOLD_TICKS 10u
 #define PULSE_TICKS 30u /* Ticks that the dispenser needs for one ticket. */
 #define LOG_MAX 256u
 
 static struct ledger_entry journal[LOG_MAX];
-/* Tick in which each entry was written, indexed by id. */
+/* Tick in which each entry was written. The index is the id of the entry. */
 static uint32_t written_at[LOG_MAX];
 static uint32_t saved_id, told_id, pulses, pulse_ticks, cut_pulses;
 
@@ -26,7 +28,7 @@ static void take_entries(uint32_t before)
     }
 }
 
-/* Runs one tick with a slow store and a slow dispenser, which are simulated here. */
+/* Runs one tick with a slow store and a slow dispenser. This function simulates both. */
 static void slow_step(void)
 {
     const uint32_t before = output.entry_id, asked = output.tickets;
@@ -71,7 +73,7 @@ static int close_tickets(void **state)
     return 0;
 }
 
-/* Plays a round that wins WON tickets, until the first tick of the result. */
+/* Plays a round in which the player wins WON tickets, until the first tick of the result. */
 static void win(void)
 {
     input.coin_count[0] = PRICE;
@@ -89,8 +91,8 @@ static void win(void)
     assert_int_equal(balance()->tickets, WON);
 }
 
-/* Simulates a power cut and a new start. Entries that are not stored are lost. The ticket whose
- * dispenser pulse is running at the cut is not dispensed. */
+/* Simulates a power cut and a new start. Entries that are not stored are lost. If the pulse of a
+ * ticket is running at the cut, this ticket is not dispensed. */
 static void cut_power(void)
 {
     struct core_config config = core.config;
@@ -152,7 +154,8 @@ static void test_a_disk_that_stores_nothing_dispenses_no_ticket(void **state)
     slow_steps(GAME_READY_TICKS + 1u);
     core.game.player[0].caught = WON;
     store_is_late = 1;
-    input.store_well = 0; /* From this tick on, the store saves no entry. */
+    /* From this tick on, the store saves no more entries. */
+    input.store_well = 0;
     for (uint32_t i = 0; i < (ROUND_S + 60u) * CORE_TICK_HZ; i++) {
         step();
         assert_int_equal(output.tickets, 0);
@@ -171,7 +174,7 @@ static void test_a_ticket_starts_only_after_the_pulse_of_the_previous_one(void *
     store_is_late = 1;
     input.record_saved_id = entry_id;
     for (uint32_t i = 0; i < 10u * CORE_TICK_HZ; i++) {
-        /* The dispenser is jammed, so it never reports a finished ticket. */
+        /* The dispenser is jammed, so it never reports that a ticket is finished. */
         input.tickets_done = 0;
         step();
         input.record_saved_id = output.entry_id;
@@ -180,8 +183,8 @@ static void test_a_ticket_starts_only_after_the_pulse_of_the_previous_one(void *
     assert_int_equal(purse_count(&output, LEDGER_TICKET), 1);
 }
 
-/* Cuts the power at many moments of the ticket output, twice in a row. No ticket may be dispensed
- * twice, and each cut may lose at most one. */
+/* Cuts the power at many moments while tickets are dispensed, twice in a row. No ticket may be
+ * dispensed twice, and each cut may lose at most one ticket. */
 static void test_a_power_cut_at_any_tick_loses_one_ticket_at_most_and_repeats_none(void **state)
 {
     uint32_t missing_cuts = 0;
@@ -206,8 +209,8 @@ static void test_a_power_cut_at_any_tick_loses_one_ticket_at_most_and_repeats_no
         missing_cuts += whole < WON;
     }
     print_message("# in %u of the plays a ticket was missing\n", missing_cuts);
-    /* At least one power cut must have fallen into the pulse of a ticket. Otherwise the loop above
-     * proved nothing. */
+    /* At least one power cut must have interrupted the pulse of a ticket. Otherwise the loop above
+     * would prove nothing. */
     assert_true(missing_cuts > 0);
 }
 
@@ -228,7 +231,8 @@ static void test_a_late_card_that_stalls_dispenses_no_ticket_before_its_entry_is
         assert_int_equal(output.tickets, dispensed);
         assert_int_equal(core.game.accounts.ledger.saved_id, told_id);
     }
-    /* The store has not responded for more than LEDGER_WAIT_TICKS_MAX, so it counts as failed. */
+    /* The store has not responded for longer than LEDGER_WAIT_TICKS_MAX, so it counts as failed and
+     * the coin slot is closed. */
     assert_true(output.coin_lockout);
 }
 

@@ -1,4 +1,4 @@
-/* test_bot.c -- checks that the bot reacts and moves within the limits of a person, and that each
+/* test_bot.c -- checks that the bot does not react or move faster than a person, and that each
  * parameter of its technique has an effect. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -30,8 +30,8 @@ static void begin_with(const struct technique *technique, uint32_t seed)
 
 /* ---- Limits of a person --------------------------------------------------------------------- */
 
-/* Checks the speed and the acceleration of the bot's poi against those of an arm. The margins of
- * 0.15 m/s and 6 m/s^2 allow for the tremor, which is at most 1.5 mm at 9 Hz. */
+/* Checks that the speed and the acceleration of the bot's poi do not exceed those of an arm. The
+ * margins of 0.15 m/s and 6 m/s^2 are for the tremor, which is at most 1.5 mm at 9 Hz. */
 static void holds_arm_limits(const struct technique *technique)
 {
     begin_with(technique, 5);
@@ -67,16 +67,16 @@ static void test_the_bot_updates_its_vision_no_oftener_than_a_person(void **stat
         const uint32_t taken = stall.bot.seen.tick;
         bot_stall_tick(&stall);
         if (stall.bot.act_tick != last) {
-            /* The bot acts on a snapshot that is 18 to 30 ticks old (150 to 250 ms), the reaction
-             * time of a person. */
+            /* The snapshot on which the bot acts must be 18 to 30 ticks old (150 to 250 ms), which
+             * is the reaction time of a person. */
             assert_in_range(stall.bot.seen.tick - taken, 18, 30);
             last = stall.bot.act_tick;
         }
     }
 }
 
-/* The snapshot of the scene on which the bot acts must be at least as old as the reaction time (18
- * ticks). */
+/* The bot acts on a snapshot of the scene. This snapshot must be at least as old as the reaction
+ * time (18 ticks). */
 static void test_the_bot_acts_on_a_delayed_snapshot(void **state)
 {
     (void)state;
@@ -87,8 +87,9 @@ static void test_the_bot_acts_on_a_delayed_snapshot(void **state)
     }
 }
 
-/* Plays two copies of a game and removes the bot's target fish in one of them. Both bots must move
- * identically for at least 150 ms (the reaction time) and differently soon afterwards. */
+/* Plays two copies of a game and removes the bot's target fish in one of them. For at least 150 ms
+ * (the reaction time) both bots must move identically. Soon afterwards they must move
+ * differently. */
 static void test_the_bot_reacts_to_a_vanished_fish_after_its_reaction_time(void **state)
 {
     (void)state;
@@ -111,7 +112,8 @@ static void test_the_bot_reacts_to_a_vanished_fish_after_its_reaction_time(void 
         assert_true(same_ticks >= 18);
         answers += same_ticks <= 60;
     }
-    /* In the remaining games the bot had chosen another fish just before its target disappeared. */
+    /* Most of the games must have shown a reaction. In the others, the bot had chosen another fish
+     * just before its target disappeared. */
     assert_in_range(answers, 8, 10);
 }
 
@@ -127,7 +129,7 @@ static void test_poi_and_shadow_stay_off_the_water_before_the_start(void **state
     const struct core *core = &stall.core;
     for (uint32_t i = 0; stall.core.game.phase == PHASE_READY; i++) {
         bot_stall_tick(&stall);
-        /* In the first 1.5 s the bot moves away from the middle of the tank. */
+        /* Skips the first 1.5 s, in which the bot moves away from the middle of the tank. */
         if (i > 3u * CORE_TICK_HZ / 2u) {
             const float edge_m = core->world.poi[0].position_m.z - POI_OUTER_RADIUS_M;
             assert_true(edge_m > 0.5f * core->world.tank.size_m.z);
@@ -221,7 +223,7 @@ static void test_wet_sets_the_wet_share_before_the_first_scoop(void **state)
     assert_true(wet_share_at_the_first_dip(0.0f) < 0.02f);
 }
 
-/* Returns the pitch of the poi when it enters the water in the first scoop. */
+/* Returns the pitch of the poi in degrees when the poi enters the water in the first scoop. */
 static float entry_pitch_deg(float entry_deg)
 {
     struct technique technique = technique_expert;
@@ -255,7 +257,7 @@ static void test_glide_sets_the_angle_between_paper_and_path(void **state)
     }
 }
 
-/* Returns the greatest speed of the rising poi during the first scoops. */
+/* Returns the greatest speed of the poi in m/s while it rises during the first scoops. */
 static float rise_m_s(uint8_t lift)
 {
     struct technique technique = technique_expert;
@@ -294,8 +296,8 @@ static void test_a_chasing_bot_never_waits(void **state)
 
 /* ---- Results of bots ------------------------------------------------------------------------ */
 
-/* The 2013 thesis criticizes an arcade game in which each scoop costs one paper. Here careful
- * scoops must preserve the paper. */
+/* The 2013 thesis criticizes an arcade game in which each scoop costs one paper. In this game,
+ * careful scoops must preserve the paper. */
 static void test_one_paper_survives_many_careful_scoops(void **state)
 {
     (void)state;
@@ -314,8 +316,8 @@ static void test_one_paper_survives_many_careful_scoops(void **state)
     assert_true(sheet_left(&stall.core.world.poi[0].sheet) > 0.8f);
 }
 
-/* The bot plays for 20 s in each tank. Its technique uses only the tank's size, depth and number of
- * fish. */
+/* The bot plays for 20 s in each tank. Its technique depends only on the tank's size, depth and
+ * number of fish. */
 static void test_the_bot_plays_in_each_tank(void **state)
 {
     (void)state;
@@ -332,8 +334,8 @@ static void test_the_bot_plays_in_each_tank(void **state)
     }
 }
 
-/* Two bots play at one tank, each with its own bowl and poi. The two bots should rarely choose the
- * same fish. */
+/* Two bots play at one tank, each with its own bowl and poi. The bots should rarely choose the same
+ * fish. */
 static void test_two_bots_rarely_target_the_same_fish(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_targeting.c -- checks which fish the bot chooses, from which side it approaches, and its
- * path. */
+/* test_targeting.c -- checks which fish the bot chooses, from which side the bot approaches this
+ * fish, and the path of its poi. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +10,7 @@
 
 #include "core/game/bot/bot.h"
 
-/* Returns a snapshot with the bowl far away, whole paper and `count` visible fish. */
+/* Returns a snapshot with a distant bowl, whole paper and `count` visible fish. */
 static struct snapshot stall_with(uint32_t count, const struct snapshot_fish *fish)
 {
     struct snapshot snapshot = {
@@ -52,8 +52,8 @@ static void test_a_slanted_entry_moves_along_the_paper_and_a_flat_one_down(void 
     assert_true(
         targeting_approach(&technique, &snapshot, v3(0.0f, -0.03f, 0.0f), 0.05f, 0.0f, &way));
     const vec3 slide = v3_sub(way.stop_m, way.entry_m);
-    /* At yaw 0 the slide points toward -z and down, so its angle below the horizontal is atan2(-y,
-     * -z). */
+    /* At yaw 0 the slide path points toward -z and down, so its angle below the horizontal is
+     * atan2(-y, -z). */
     const float slope_rad = f_atan2(-slide.y, -slide.z);
     assert_true(f_abs(slope_rad - technique.entry_deg * F_DEG) < 0.01f);
     technique.entry_deg = 0.0f;
@@ -76,7 +76,7 @@ static void test_the_target_point_of_the_paper_is_the_middle_or_the_far_edge(voi
     assert_true(targeting_approach(&technique, &snapshot, fish_m, 0.07f, 0.0f, &way));
     const float tail_m = way.under_m.z - (fish_m.z - 0.42f * 0.07f);
     assert_true(way.under_m.z > 0.01f);
-    /* The tail lies outside the ring, so it cannot slap the paper. */
+    /* The tail of the fish is outside the ring, so it cannot slap the paper. */
     assert_true(tail_m > snapshot.poi.radius_m);
 }
 
@@ -148,7 +148,7 @@ static void test_head_first_scoops_come_from_ahead_and_tail_first_from_behind(vo
     assert_true(f_abs(targeting_yaw(&technique, &fish, 9.0f) - (F_PI - 2.6f)) < 1e-4f);
     assert_true(targeting_yaw(&technique_novice, &fish, 0.2f) == 0.2f);
     technique.side = SIDE_TAIL;
-    /* A human wrist cannot turn that far, so the yaw does not change. */
+    /* A human wrist cannot turn as far as this fish requires, so the yaw stays unchanged. */
     assert_true(targeting_yaw(&technique, &fish, 0.2f) == 0.2f);
     fish.heading_rad = 0.5f;
     assert_true(targeting_yaw(&technique, &fish, 0.2f) == 0.5f);

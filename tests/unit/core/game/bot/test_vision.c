@@ -1,5 +1,5 @@
-/* test_vision.c -- checks that the bot sees exactly what the scene shows to a player, throughout a
- * round. */
+/* test_vision.c -- checks throughout a round that the bot sees exactly what the scene shows to a
+ * player. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,8 +15,8 @@
 static struct bot_stall stall;
 static struct scene scene;
 
-/* Starts a festival for two players. The second poi rests over the water, and one player holds a
- * fan. */
+/* Starts a festival for two players. The second poi is held still over the water, and one player
+ * holds a fan. */
 static void begin(uint32_t seed)
 {
     const struct core_config config = { .seed = seed, .players = 2 };
@@ -80,8 +80,9 @@ static void bowl_is_as_shown(const struct vision *vision, uint32_t index)
     }
 }
 
-/* Checks that the bot sees each cell of paper as the scene shows it. In cells outside the ring the
- * bot sees 0, and the scene repeats the nearest paper, so these cells are not compared. */
+/* Checks that the bot sees each cell of the paper as the scene shows it. Cells outside the ring are
+ * not compared, because they are 0 for the bot, whereas the scene repeats the nearest paper
+ * there. */
 static void paper_is_as_shown(const struct vision *vision)
 {
     const struct scene_poi *poi = &scene.poi[vision->player];

@@ -1,5 +1,5 @@
-/* test_vision_bare.c -- checks that the bot uses nothing that the scene does not show. All
- * invisible members of the state are overwritten, and the bot must still move identically. */
+/* test_vision_bare.c -- checks that the bot uses nothing that the scene does not show. The test
+ * overwrites all invisible members of the state, and the bot must still move identically. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,16 +16,16 @@
 #include "core/tank/behavior/surface_breathing.h"
 #include "tests/unit/support/bot_stall.h"
 
-/* Byte with which invisible members are overwritten. Such bytes give a float of 12, an int of 10^9
- * or a byte of 65. */
+/* Byte that overwrites the invisible members. As a float its bytes give 12, as an int 10^9, and as
+ * a byte 65. */
 #define NONSENSE 0x41
 
 static struct bot_stall stall;
 static struct core bare;
 static struct scene scene, other_scene;
 
-/* Starts a festival for two players. The second poi rests over the water, and one player holds a
- * fan. */
+/* Starts a festival for two players. The second poi is held still over the water, and one player
+ * holds a fan. */
 static void begin(uint32_t seed)
 {
     const struct core_config config = { .seed = seed, .players = 2 };
@@ -37,7 +37,7 @@ static void begin(uint32_t seed)
     bot_stall_begin(&stall);
 }
 
-/* A member of a struct that the scene shows unchanged. */
+/* Position of a struct member that the scene shows unchanged. */
 struct member {
     size_t offset, size;
 };
@@ -106,8 +106,8 @@ static void keep(void *to, const void *from, const struct member *parts, size_t 
 }
 #define KEEP(to, from, parts) keep(to, from, parts, COUNT(parts))
 
-/* Copies only the state of a fish that the scene shows: the members in fish_parts, whether the fish
- * gulps at the surface, and whether the fish is in the tank, on a poi or in a bowl. */
+/* Copies only those parts of a fish's state that the scene shows: the members in fish_parts,
+ * whether the fish gulps at the surface, and whether it is in the tank, on a poi or in a bowl. */
 static void keep_fish(struct fish *fish, const struct fish *from)
 {
     KEEP(fish, from, fish_parts);
@@ -117,8 +117,8 @@ static void keep_fish(struct fish *fish, const struct fish *from)
     fish->air = gulps ? (uint8_t)AIR_GULPS : fish->air;
 }
 
-/* Copies only the visible state of a poi. The scene shows whether some player controls the poi. The
- * scene shows the water as a depth, and wetness and damage in 255 steps. */
+/* Copies only the visible state of a poi. The scene shows whether any player controls the poi. It
+ * shows the water as a depth, and wetness and damage in 255 steps. */
 static void keep_poi(struct poi *poi, const struct poi *from)
 {
     KEEP(poi, from, poi_parts);
@@ -133,8 +133,8 @@ static void keep_poi(struct poi *poi, const struct poi *from)
     }
 }
 
-/* Copies only the visible state of a bowl. The scene shows its water and fish together as one
- * level. */
+/* Copies only the visible state of a bowl. The scene shows the bowl's water and its fish together
+ * as one level. */
 static void keep_bowl(struct bowl *bowl, const struct bowl *from)
 {
     KEEP(bowl, from, bowl_parts);
@@ -157,8 +157,8 @@ static void keep_tank(struct tank *tank, const struct tank *from)
            sizeof from->water.height_m[newest]);
 }
 
-/* Makes a reduced copy of the core: visible members are copied, and all others are filled with
- * NONSENSE. */
+/* Makes a reduced copy of the core. Visible members are copied, and all other members are filled
+ * with NONSENSE. */
 static void bare_of(struct core *core, const struct core *from)
 {
     memset(core, NONSENSE, sizeof *core);
@@ -171,8 +171,8 @@ static void bare_of(struct core *core, const struct core *from)
     }
 }
 
-/* Compares the scenes of the complete and the reduced state. Structs with padding are compared
- * member by member. */
+/* Compares one member of the scenes of the complete and the reduced state. Structs with padding
+ * must be compared member by member instead. */
 #define SAME_SCENE(field) (memcmp(&scene.field, &other_scene.field, sizeof scene.field) == 0)
 
 static int bowls_and_fans_look_the_same(void)
@@ -240,8 +240,8 @@ static void test_a_reduced_state_gives_the_same_scene(void **state)
     }
 }
 
-/* Changes a member so much that the scene must change: flips bit 22 of each 4-byte value, or bit 0
- * of the first byte if the size is no multiple of 4. A second call restores the member. */
+/* Changes a member so much that the scene must change. Flips bit 22 of each 4-byte value, or bit 0
+ * of the first byte if the size is not a multiple of 4. A second call restores the member. */
 static void change(void *of, const struct member *part)
 {
     unsigned char *const at = (unsigned char *)of + part->offset;
@@ -254,7 +254,7 @@ static void change(void *of, const struct member *part)
     }
 }
 
-/* Returns 1 if the scene changes when one member of the reduced state changes. */
+/* Changes one member of the reduced state. Returns 1 if the scene changes. */
 static int shows(void *of, const struct member *part)
 {
     change(of, part);
@@ -272,19 +272,20 @@ static void each_shows(void *of, const struct member *parts, size_t count, uint3
 #define EACH_SHOWS(of, parts, seen) each_shows(of, parts, COUNT(parts), seen)
 #define ALL_OF(parts) ((1u << COUNT(parts)) - 1u)
 
-/* Each copied member must be visible. Otherwise the bot would get data that a player does not
- * see. */
+/* Each member that is copied into the reduced state must be visible. Otherwise the bot would get
+ * data that a player does not see. */
 static void test_every_kept_member_of_a_reduced_state_changes_the_scene(void **state)
 {
     (void)state;
     static const uint8_t phases[] = { PHASE_ROUND, PHASE_MODE_SELECT };
     uint32_t core = 0, player = 0, fish = 0, poi = 0, bowl = 0, shade = 0;
     begin(8);
-    /* At this age the colour depends on the age, so that the age of this fish is visible. */
+    /* The colour of a fish depends on its age only in a certain range, and this age is in that
+     * range. */
     stall.core.world.tank.fish[3].age_days = 80.0f;
     stall.core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
-    /* The sheet asserts that it has no more cells than when it was new. The maximum is raised,
-     * because change() increases the number of cells. */
+    /* Raises the number of cells of new paper, because change() increases the number of cells, and
+     * the sheet asserts that it has no more cells than when it was new. */
     stall.core.world.poi[0].sheet.paper_cells_new = 0x7f0000u;
     for (size_t i = 0; i < sizeof phases; i++) {
         stall.core.game.phase = phases[i];

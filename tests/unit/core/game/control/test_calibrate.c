@@ -1,6 +1,6 @@
 /* test_calibrate.c -- checks the calibration of a simulated poi that measures in its own coordinate
- * frame. After calibration the error must be at most 1 mm in the whole tank. Invalid marks must be
- * rejected. */
+ * frame. After the calibration, the error must be at most 1 mm in the whole tank. Invalid marks
+ * must be rejected. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -25,8 +25,8 @@ static float draw(uint32_t frame, uint32_t what, float from, float to)
     return rng_range((struct rng_key){ 11, frame, what, RNG_TEST }, from, to);
 }
 
-/* Returns a random coordinate frame of a sensor: rotated by any angle, scaled by 1/3 to 3, skewed,
- * shifted by metres and tilted. */
+/* Returns a random coordinate frame of a sensor. The frame is rotated by any angle, scaled by 1/3
+ * to 3, skewed, shifted by metres and tilted. */
 static struct twin twin_of(uint32_t frame)
 {
     const float turn = draw(frame, 0, -F_PI, F_PI), c = f_cos(turn), s = f_sin(turn);
@@ -90,8 +90,8 @@ static void test_calibration_corrects_any_frame_within_1_mm(void **state)
     assert_true(worst_rad < WITHIN_RAD);
 }
 
-/* The operator holds the poi up to 5 mm beside each mark, in each axis. The calibration's error may
- * be at most 1.5 times as large. */
+/* The operator holds the poi with an error of up to 5 mm in each axis at each mark. The
+ * calibration's error may be at most 1.5 times as large. */
 static void test_calibration_averages_small_errors_at_the_marks(void **state)
 {
     (void)state;
@@ -131,7 +131,8 @@ static void test_an_uncalibrated_pose_is_not_changed(void **state)
     input_calibration_apply(&none, 0, &poi);
     input_calibration_apply(&other, 0, &poi);
     assert_memory_equal(&poi, &before, sizeof poi);
-    poi.target.position_m.x = 0.0f / (poi.target.position_m.y * 0.0f); /* The pose contains NaN. */
+    /* Divides 0 by 0, so that the pose contains NaN. */
+    poi.target.position_m.x = 0.0f / (poi.target.position_m.y * 0.0f);
     const struct poi_input broken = poi;
     input_calibration_apply(&other, 1, &poi);
     assert_memory_equal(&poi, &broken, sizeof poi);
@@ -172,7 +173,7 @@ static void test_invalid_marks_are_rejected_with_a_reason(void **state)
         swap_corners(&said, frame % 2u, frame % 2u + 2u);
         assert_int_equal(judge(&said), CALIBRATION_MIRRORED);
         said = good;
-        /* All marks are on one line, so no calibration can be computed. */
+        /* Places all marks on one line. No calibration can be computed from such marks. */
         for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
             said.corner_m[i] = v3_scale(v3(1.0f, 0.0f, 0.4f), (float)i);
         }

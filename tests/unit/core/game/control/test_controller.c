@@ -1,5 +1,5 @@
-/* test_controller.c -- checks which source (a controller or a bot) moves a poi, and the limits of
- * the poi's position and speed. */
+/* test_controller.c -- checks which source (a controller or a bot) moves a poi, and how the poi's
+ * position and speed are limited. */
 #include "core/game/control/controller.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/game_fixture.h"
@@ -35,7 +35,7 @@ static void test_a_round_ends_when_the_controller_stays_lost(void **state)
 static void test_a_new_controller_moves_the_poi_without_a_jump(void **state)
 {
     (void)state;
-    /* Without a player, a bot moves the poi during these ticks. */
+    /* A bot moves the poi during these ticks, because no player is present. */
     steps(200);
     input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(0.20f, 0.08f, 0.10f);
@@ -44,11 +44,11 @@ static void test_a_new_controller_moves_the_poi_without_a_jump(void **state)
     for (uint32_t i = 0; i < 160; i++) {
         step();
         const vec3 now = core.game.control[0].hand_pose.position_m;
-        /* The speed limit of 12 mm per tick is 1.4 m/s. */
+        /* The speed limit is 1.4 m/s, which is 12 mm per tick. */
         assert_true(v3_length(v3_sub(now, last)) < 0.012f);
         last = now;
     }
-    /* The poi has reached the player's position and now follows without delay. */
+    /* The poi has reached the player's position, and now follows the controller without delay. */
     assert_float_equal(last.x, 0.20f, 0.0f);
     assert_float_equal(last.z, 0.10f, 0.0f);
 }
@@ -63,7 +63,7 @@ static void test_no_poi_enters_the_water_before_the_round(void **state)
     }
     step();
     float last_m = core.game.control[0].hand_pose.position_m.y;
-    /* In no tick may the target of the poi sink by 4 mm or more. */
+    /* In each tick, the poi's target must sink by less than 4 mm. */
     for (uint32_t i = 0; i < 150u; i++) {
         step();
         assert_true(last_m - core.game.control[0].hand_pose.position_m.y < 0.004f);
@@ -92,7 +92,7 @@ static void test_any_pose_is_limited_to_the_reach(void **state)
     for (size_t i = 0; i < sizeof wild / sizeof wild[0]; i++) {
         input.poi[0].target.position_m = v3(wild[i], wild[(i + 1) % 8], wild[(i + 2) % 8]);
         input.poi[0].target.angles = (struct angles){ wild[i], wild[(i + 3) % 8], -wild[i] };
-        /* 400 ticks are enough for the poi to reach the limited target. */
+        /* Within 400 ticks, the poi reaches its limited target. */
         for (uint32_t tick = 0; tick < 400; tick++) {
             core_tick(&core, &input, &output);
         }
@@ -148,7 +148,7 @@ static void test_torn_paper_stays_visible_after_the_controller_is_removed(void *
     steps(GAME_GONE_TICKS / 2u);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     steps(2);
-    /* The player is out of the round, so the game does not wait for the controller. */
+    /* The player is out of the round, so the game does not pause to wait for the controller. */
     assert_int_equal(core.game.phase, PHASE_RESULT);
 }
 

@@ -1,6 +1,6 @@
-/* test_failsafe.c -- checks the automatic motions of a poi whose controller is lost or returns.
- * These motions must be too slow to tear wet paper of the weakest grade, whether damage is disabled
- * or not. */
+/* test_failsafe.c -- checks how a poi moves automatically when its controller is lost or returns.
+ * This motion must be too slow to tear wet paper of the weakest grade, even when damage is not
+ * disabled. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/game/control/controller.h"
@@ -16,7 +16,7 @@ static void soak_half(struct sheet *sheet)
     sheet->soaked = 0;
 }
 
-/* Places the poi at rest at `at_m`, with half-wet paper, which tears most easily. */
+/* Places the poi at rest at `at_m`. Its paper is half wet, because such paper tears most easily. */
 static void begin(vec3 at_m, struct angles angles)
 {
     fixture_init(&fixture, SHEET_GRADE_MAX, 9);
@@ -100,7 +100,7 @@ static void test_a_poi_catches_up_with_a_moving_controller(void **state)
     struct poi_target wanted = { .position_m = v3(0.2f, -0.05f, 0.0f) };
     uint32_t ticks = 1;
     for (; !controller_failsafe_is_returned(hand, wanted, ticks); ticks++) {
-        /* The player's target moves on at 0.5 m/s while the poi returns to it. */
+        /* The player's target moves on at 0.5 m/s while the poi returns to the target. */
         wanted.position_m.x += 0.5f * CORE_TICK_S;
         hand = controller_failsafe_return(hand, wanted, ticks);
         assert_true(ticks < 6u * CORE_TICK_HZ);
@@ -119,8 +119,8 @@ static void test_turns_take_the_short_way_round(void **state)
     }
 }
 
-/* A poi that loses its controller must decelerate to rest. The deceleration must be so small that a
- * fish on level paper does not slide. */
+/* A poi that loses its controller must decelerate until it rests. The deceleration must be so small
+ * that a fish on level paper does not slide. */
 static void test_a_poi_lost_in_motion_comes_to_rest_softly(void **state)
 {
     (void)state;

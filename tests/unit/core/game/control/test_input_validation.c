@@ -1,5 +1,5 @@
-/* test_input_validation.c -- checks which controller poses are accepted as valid, just inside and
- * just outside each limit. */
+/* test_input_validation.c -- checks which controller poses are accepted as valid. Each limit is
+ * tested just inside and just outside. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -127,7 +127,7 @@ static void test_a_jump_of_1_m_invalidates_the_input_until_it_stays(void **state
 }
 
 /* At 60 frames per second each frame has two ticks, and the kiosk divides the motion of a frame
- * between them. A jump of the controller thus arrives as two steps of half the size. */
+ * between them. A jump of the controller therefore arrives as two steps of half the size. */
 static void test_a_jump_spread_over_two_ticks_invalidates_the_input(void **state)
 {
     (void)state;
@@ -139,7 +139,7 @@ static void test_a_jump_spread_over_two_ticks_invalidates_the_input(void **state
     expect_lost_and_found();
 }
 
-/* A mouse pointer may leave the window at one side and enter at another. */
+/* The pointer of a mouse may leave the window at one side and enter it at another side. */
 static void test_a_pointer_may_jump(void **state)
 {
     (void)state;
@@ -173,8 +173,8 @@ static int is_valid_at(float pace_m_s)
     return believed;
 }
 
-/* Returns 1 if the input stays valid although some frames get no report and the next frame two
- * reports. This happens with 60 reports and 60 frames per second. */
+/* Returns 1 if the input stays valid although some frames get no report and the next frame gets
+ * two. This happens if a controller sends 60 reports per second to 60 frames per second. */
 static int is_valid_with_uneven_reports(float pace_m_s)
 {
     int believed = 1;
@@ -206,12 +206,12 @@ static void test_a_fast_turn_is_valid_and_a_flip_is_not(void **state)
     }
     hand.target.angles.roll_rad += 0.55f;
     expect_for(5, INPUT_VALID);
-    /* A turn of 0.70 rad (40 degrees) in one tick is over the limit. The turn of 0.55 rad above was
-     * within the limit. */
+    /* A turn of 0.70 rad (40 degrees) in one tick exceeds the limit. The turn of 0.55 rad before
+     * was within the limit. */
     hand.target.angles.roll_rad += 0.70f;
     assert_int_equal(tick(), INPUT_LOST);
     expect_lost_and_found();
-    /* Ten additional full turns give the same orientation, so this is no jump. */
+    /* Adds ten full turns, which give the same orientation. This must not count as a jump. */
     hand.target.angles.roll_rad += 20.0f * F_TAU;
     assert_int_equal(tick(), INPUT_VALID);
 }
@@ -284,8 +284,8 @@ static void silence(uint32_t ticks)
     hand.age_ticks = 0;
 }
 
-/* After a delay the kiosk passes only the newest pose. `has_gap` means that the poses before it are
- * unknown. */
+/* After a delay the kiosk passes on only the newest pose. The flag `has_gap` means that the poses
+ * before it are unknown. */
 static void test_motion_that_the_kiosk_did_not_observe_is_followed_slowly(void **state)
 {
     (void)state;
@@ -296,7 +296,7 @@ static void test_motion_that_the_kiosk_did_not_observe_is_followed_slowly(void *
     assert_true(input_validation_blend(&validation) < 0.05f);
     hand.has_gap = 0;
     expect_for(20, INPUT_VALID);
-    /* Without `has_gap` the same motion counts as too fast for an arm, so the input is lost. */
+    /* Without `has_gap`, the same motion is too fast for an arm, so the input is lost. */
     hand.target.position_m.x += 1.2f;
     assert_int_equal(tick(), INPUT_LOST);
 }
@@ -306,7 +306,7 @@ static void test_motion_during_late_reports_is_valid(void **state)
     (void)state;
     expect_for(10, INPUT_VALID);
     silence(50);
-    /* The controller moved by 1.2 m while its reports were late. This motion arrives in two steps,
+    /* The controller moved by 1.2 m while its reports were late. The motion arrives in two steps,
      * because a frame has two ticks. */
     hand.target.position_m.x += 0.6f;
     assert_int_equal(tick(), INPUT_VALID);
@@ -314,8 +314,8 @@ static void test_motion_during_late_reports_is_valid(void **state)
     expect_for(20, INPUT_VALID);
 }
 
-/* After late reports, the poi follows the missed motion at 4/3 of its original speed, so the poi
- * catches up in three quarters of the gap's duration. */
+/* After late reports, the poi follows the missed motion at 4/3 of its original speed. It therefore
+ * catches up in three quarters of the duration of the gap. */
 static void test_missed_motion_is_followed_in_three_quarters_of_its_time(void **state)
 {
     for (uint32_t period = 1; period <= INPUT_SILENT_TICKS; period += period < 13 ? 1u : 7u) {
@@ -353,7 +353,8 @@ static void test_missed_motion_beyond_the_reach_of_an_arm_invalidates_the_input(
 {
     (void)state;
     expect_for(10, INPUT_VALID);
-    /* In 30 ticks (0.25 s) an arm moves at most 1 m. A motion of 1.5 m is therefore a fault. */
+    /* In 30 ticks (0.25 s) an arm moves by at most 1 m. This motion of 1.5 m is therefore a
+     * fault. */
     silence(30);
     hand.target.position_m.x += 1.5f;
     tick();
@@ -382,8 +383,7 @@ static void test_random_bits_give_a_status_and_valid_poses_are_finite(void **sta
         for (uint32_t k = 0; k < 8; k++) {
             words[k] = rng_u32((struct rng_key){ 3, i / 40u, k, RNG_TEST });
         }
-        /* The random bits stay the same for up to 40 ticks. Otherwise no input would ever become
-         * valid. */
+        /* Keeps the random bits for up to 40 ticks. Otherwise no input would ever become valid. */
         if (i % 40u == 0 || words[0] % 5u == 0) {
             memcpy(&hand.target, words, sizeof hand.target);
             float *one = field(words[7] % 6u);

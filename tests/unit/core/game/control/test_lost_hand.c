@@ -1,7 +1,7 @@
-/* test_lost_hand.c -- checks that a controller fault during a scoop pauses the round and tears no
- * paper.
+/* test_lost_hand.c -- checks that a controller fault during a scoop pauses the round and does not
+ * tear the paper.
  *
- * The test combines two devices (a noisy sensor and a pointer), two places (deep in the water,
+ * The test combines two devices (a noisy sensor and a pointer), two situations (deep in the water,
  * and carrying a fish), three states of the weakest paper (dry, wet, half wet) and each kind of
  * fault. */
 #include <math.h>
@@ -50,7 +50,7 @@ static struct output output;
 static vec3 hand_m;    /* True position of the player's controller, in m. */
 static float roll_rad; /* True roll of the player's controller. */
 static enum device device;
-static uint32_t still_ticks; /* Number of ticks in which the round's clock was stopped. */
+static uint32_t still_ticks; /* Number of ticks in which the clock of the round was stopped. */
 
 /* ---- A player with a working controller ----------------------------------------------------- */
 
@@ -59,7 +59,7 @@ static float tremble(uint32_t what)
     return rng_range((struct rng_key){ 11, core.game.tick, what, RNG_TEST }, -5e-5f, 5e-5f);
 }
 
-/* Reports the true pose: the controller sways slowly and trembles. */
+/* Reports the true pose. The controller sways slowly and trembles. */
 static void report_true_pose(void)
 {
     const float sway_m_s = core.game.tick / 240u % 2u ? 0.04f : -0.04f;
@@ -161,8 +161,8 @@ static void begin(const struct scene_of *of)
 
 /* ---- Simulated controller faults ------------------------------------------------------------ */
 
-/* Writes the controller's report `tick` ticks after the fault began. Returns 1 while the fault
- * lasts. */
+/* Writes the report that the controller sends `tick` ticks after the fault began. Returns 1 while
+ * the fault lasts. */
 static int report_fault(enum fault fault, uint32_t tick)
 {
     struct poi_input *poi = &input.poi[0];
@@ -170,7 +170,7 @@ static int report_fault(enum fault fault, uint32_t tick)
     const struct poi_input before = *poi;
     report_true_pose();
     switch (fault) {
-    /* JUMP: the controller's true position changes by 1 m and stays there. */
+    /* The fault JUMP: the controller's true position changes by 1 m and stays there. */
     case JUMP:
         hand_m.x += tick == 0 ? (hand_m.x > 0.0f ? -1.0f : 1.0f) : 0.0f;
         report_true_pose();
@@ -188,8 +188,8 @@ static int report_fault(enum fault fault, uint32_t tick)
         *poi = before;
         poi->age_ticks = age;
         return tick < 200;
-    /* STUCK: the controller repeats its last report. This is a fault of a sensor, but not of a
-     * pointer, because a resting mouse repeats its report too. */
+    /* The fault STUCK: the controller repeats its last report. For a pointer this is not a fault,
+     * because a resting mouse repeats its report too. */
     case STUCK:
         *poi = before;
         return tick < 300;
@@ -201,7 +201,7 @@ static int report_fault(enum fault fault, uint32_t tick)
         poi->target.angles.roll_rad += F_PI;
         poi->target.angles.pitch_rad -= 1.0f;
         return tick < 6;
-    /* TURN: the controller turns by 1.2 rad and keeps its new roll. */
+    /* The fault TURN: the controller turns by 1.2 rad and keeps its new roll angle. */
     case TURN:
         roll_rad += tick == 0 ? 1.2f : 0.0f;
         report_true_pose();
@@ -209,7 +209,8 @@ static int report_fault(enum fault fault, uint32_t tick)
     case TURN_AND_BACK:
         poi->target.angles.pitch_rad += 1.0f;
         return tick < 3;
-    /* LATE_BURST: the reports stop for less than the timeout. The next report is 20 cm away. */
+    /* The fault LATE_BURST: the reports stop for less than the timeout, and the next position is 20
+     * cm away. */
     case LATE_BURST:
         *poi = before;
         poi->age_ticks = age;
@@ -225,7 +226,7 @@ static int report_fault(enum fault fault, uint32_t tick)
 static int loses_the_hand(const struct scene_of *of)
 {
     const int is_away = of->fault == UNPLUG || of->fault == SILENCE || of->fault == NOT_A_NUMBER;
-    /* A mouse may jump to any place, so only the jump of a sensor counts as a fault. */
+    /* A mouse may jump to any place, so a jump counts as a fault only if the device is a sensor. */
     return is_away || (of->fault != LATE_BURST && of->device == SENSOR);
 }
 
@@ -238,8 +239,8 @@ static float damage_sum(void)
     return sum;
 }
 
-/* Returns 1 if the fish lies on wet paper for so long that its slaps may tear the paper even
- * without a fault. */
+/* Returns 1 if the fish lies on wet paper for so long that its slaps may tear the paper, even
+ * without a controller fault. */
 static int may_slap(const struct scene_of *of)
 {
     const int is_long = of->fault == STUCK || of->fault == LATE_BURST || of->fault == SILENCE ||
@@ -248,7 +249,7 @@ static int may_slap(const struct scene_of *of)
 }
 
 /* Checks every tick from the fault until the player controls the poi again. While damage is
- * disabled, the damage of no cell of the paper may change. */
+ * disabled, the damage of each cell of the paper must stay the same. */
 static void check_fault(const struct scene_of *of)
 {
     static float damage[SHEET_CELL_COUNT];
@@ -270,26 +271,26 @@ static void check_fault(const struct scene_of *of)
             !controller_is_lost(&core.world, 0) && core.game.control[0].return_ticks == 0;
         leads = is_led && !broken;
         if (poi->damage_immune) {
-            /* No force feedback while the controller is lost. */
+            /* While the controller is lost, it must get no force feedback. */
             assert_true(v3_length(output.poi[0].force_n) == 0.0f);
             assert_memory_equal(poi->sheet.damage, damage, sizeof damage);
         } else {
-            /* While the player controls the poi, the paper may wear. */
+            /* The player controls the poi in this tick, so the paper may wear. */
             memcpy(damage, poi->sheet.damage, sizeof damage);
-            /* If the fish's slaps may tear the paper, the cells are not compared. */
+            /* The number of cells is not compared if the fish's slaps may tear the paper. */
             cells = may_slap(of) ? poi->sheet.paper_cells : cells;
         }
         assert_true(poi->damage_immune || !loses_the_hand(of) || leads || broken);
         assert_int_equal(poi->sheet.paper_cells, cells);
         assert_true(tick < 1200);
     } while (!leads);
-    /* The clock of the round was stopped in exactly the ticks in which the controller was lost. */
+    /* The clock of the round must stop in exactly those ticks in which the controller is lost. */
     assert_int_equal(still_ticks, lost_ticks);
     assert_int_equal(lost_ticks > 0, loses_the_hand(of));
-    /* After a permanent turn (TURN) the ring is tilted by 69 degrees, so the fish may slide off. */
+    /* After the fault TURN, the ring stays tilted by 69 degrees, so the fish may slide off. */
     if (of->fault != TURN) {
-        /* If the poi carried a fish, this fish is still on the paper. No other fish is on the
-         * paper. */
+        /* The fish that the poi carried before the fault must still be on the paper. No other fish
+         * may be on it. */
         assert_int_equal(poi->carried_count, of->place == CARRYING);
     }
     if (of->fault == SPIKE && of->device == SENSOR) {
@@ -297,22 +298,22 @@ static void check_fault(const struct scene_of *of)
     }
 }
 
-/* Checks that the fault does not damage the paper later, for example by moving water or by the
- * spring that pulls the poi. */
+/* Checks that the fault does not damage the paper later. For example, moving water or the spring
+ * that pulls the poi could damage it. */
 static void check_aftermath(const struct scene_of *of)
 {
     const uint32_t cells = core.world.poi[0].sheet.paper_cells;
     const float before = damage_sum();
     if (of->place == CARRYING) {
-        /* The slaps of a carried fish may tear the wet paper, so the damage is not compared. */
+        /* The slaps of the carried fish may tear the wet paper, so the damage is not compared. */
         return;
     }
     wait(120);
     assert_int_equal(core.world.poi[0].sheet.paper_cells, cells);
-    /* After a permanent jump the poi moves through the water to the wall, so more wear is
+    /* After the fault JUMP, the poi moves through the water to the wall, so more wear is
      * allowed. */
     assert_true(damage_sum() - before < (of->fault == JUMP ? 0.05f : 1e-3f));
-    /* After a permanent jump the true position is beyond the wall, where the poi cannot go. */
+    /* After the fault JUMP, the true position is beyond the wall, where the poi cannot go. */
     assert_true(v3_length(v3_sub(core.world.poi[0].position_m, hand_m)) < 0.05f ||
                 of->fault == JUMP);
 }
@@ -340,11 +341,12 @@ static void test_no_controller_fault_tears_paper_in_any_place(void **state)
 
 /* ---- Pose errors below the limits ----------------------------------------------------------- */
 
-/* A small error of the reported pose: some centimetres or degrees, for some ticks or
- * permanently. */
+/* A small error of the reported pose. It amounts to some centimetres or degrees, and lasts for some
+ * ticks or for ever. */
 struct stray {
     float up_m, aside_m, roll_rad, pitch_rad;
-    /* 1 if the error is so small that a permanent error must be accepted as the new true pose. */
+    /* 1 if the error is so small that the poi must accept it as the new true pose when it is
+     * permanent. */
     int may_stay;
 };
 
@@ -368,7 +370,8 @@ static void stray_for(const struct stray *stray, uint32_t ticks)
     }
 }
 
-/* Checks each error of the pose. Each check begins with the poi at rest deep in the water. */
+/* Checks each small error of the pose. Each check begins with a poi that rests deep in the
+ * water. */
 static void check_strays(const struct core *from, enum wetness wetness, uint8_t grade)
 {
     static const uint32_t lasts[] = { 1, 2, 3, 6, 8, 300 };
@@ -377,7 +380,7 @@ static void check_strays(const struct core *from, enum wetness wetness, uint8_t 
         for (size_t k = 0; k < sizeof lasts / sizeof lasts[0]; k++) {
             const int turns = strays[i].roll_rad != 0.0f || strays[i].pitch_rad != 0.0f;
             if ((lasts[k] > 8u && !strays[i].may_stay) || (turns && device == POINTER)) {
-                /* A pointer reports no angles, so errors of the angles have no effect. */
+                /* A pointer reports no angles, so errors of the angles cannot occur. */
                 continue;
             }
             core = *from;
@@ -436,8 +439,8 @@ static void test_a_fish_carried_during_a_fault_can_be_landed_and_counts(void **s
     }
 }
 
-/* When the controller returns, the poi is 20 cm away under water. The poi must reach the
- * controller's position within 1.5 s and must not move faster than a careful player. */
+/* When the controller returns, the poi is 20 cm away from it under water. The poi must reach the
+ * controller's position within 1.5 s, and must not move faster than a careful player. */
 static void test_the_poi_glides_back_without_a_jump(void **state)
 {
     (void)state;
@@ -460,7 +463,8 @@ static void test_the_poi_glides_back_without_a_jump(void **state)
     assert_true(v3_length(v3_sub(core.world.poi[0].position_m, hand_m)) < 0.02f);
 }
 
-/* The poi of an absent player must leave the water soon, because it would block other players. */
+/* The poi of an absent player must leave the water soon, because it would be in the way of other
+ * players. */
 static void test_a_lost_poi_leaves_the_water(void **state)
 {
     (void)state;
@@ -484,7 +488,8 @@ static void test_a_lost_poi_leaves_the_water(void **state)
     assert_true(core.world.poi[0].immersed <= 0.0f);
 }
 
-/* The poi starts in corners, at walls, on the floor or at the bowl, at different angles. */
+/* The lost poi starts in corners, at walls, on the floor or at the bowl, and at different
+ * angles. */
 static void test_a_lost_poi_leaves_the_water_from_any_position(void **state)
 {
     (void)state;

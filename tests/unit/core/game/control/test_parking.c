@@ -1,5 +1,5 @@
-/* test_parking.c -- checks that the poi of a player who is out is parked on the tank's rim, and
- * that every unused poi has its own visible parking place. */
+/* test_parking.c -- checks that the poi of a player who is out is parked on the tank's rim. Every
+ * unused poi must have its own visible parking place. */
 #include "tests/unit/support/core_fixture.h"
 
 #include "core/game/control/controller.h"
@@ -42,7 +42,7 @@ static void project(vec3 at_m, float *x, float *y)
 }
 
 /* Returns point number `nth` of a poi whose ring is at `ring_m`. The last of the SIGHTS points is
- * the end of the handle, the others are on the outer edge of the ring. */
+ * the end of the handle, and the other points are on the outer edge of the ring. */
 static vec3 sight_of(vec3 ring_m, uint32_t nth)
 {
     const float angle = F_TAU * (float)nth / (float)(SIGHTS - 1u);
@@ -57,9 +57,11 @@ static void expect_in_the_picture(vec3 ring_m)
         float x = 0.0f, y = 0.0f;
         project(sight_of(ring_m, i), &x, &y);
         assert_true(f_abs(x) < 0.995f);
-        /* The lowest part of the screen (y < -0.8) is covered by text. */
+        /* The poi must be above the lowest part of the screen (y < -0.8), because text covers this
+         * part. */
         assert_true(y > -0.8f);
-        /* The highest part of the screen (y > 0.78) is covered by name plates. */
+        /* The poi must be below the highest part of the screen (y > 0.78), because name plates
+         * cover this part. */
         assert_true(y < 0.78f);
     }
 }
@@ -109,7 +111,8 @@ static void test_pois_are_parked_before_the_start_and_after_the_end(void **state
     (void)state;
     const struct core_config config = { .seed = 4, .players = 4, .round_s = 10 };
     open_core(&config);
-    ticks(700); /* In attract mode, a bot plays with the first poi. */
+    /* In attract mode, a bot plays with the first poi. */
+    ticks(700);
     bots(4);
     press(INPUT_START);
     ticks(GAME_READY_TICKS - 10u);
@@ -142,20 +145,21 @@ static void test_a_poi_without_paper_is_parked_and_the_others_play(void **state)
     play(2);
     lead(0, v3(0.1f, BELOW_M, 0.1f));
     tear_all(0);
-    /* A torn poi stays in place for half a second (60 ticks), so that the player sees the hole. */
+    /* After its paper is torn, a poi stays in place for half a second (60 ticks), so that the
+     * player sees the hole. */
     ticks(60);
     assert_true(apart_m(core.world.poi[0].position_m, v3(0.1f, 0.0f, 0.1f)) < 0.03f);
     ticks(3u * CORE_TICK_HZ);
     expect_put_away(0, 2);
     assert_false(look()->player[1].out);
     assert_true(apart_m(core.world.poi[1].position_m, v3(-0.1f, 0.0f, 0.1f)) < 0.01f);
-    /* A parked poi ignores its player's input. */
+    /* The parked poi must ignore its player's input. */
     input.poi[0].target.position_m = v3(-0.1f, BELOW_M, -0.1f);
     ticks(200);
     expect_put_away(0, 2);
 }
 
-/* Starts a game of two players and lifts a fish on the poi of the first player. */
+/* Starts a game with two players. The poi of the first player then lifts a fish. */
 static void lift_fish(void)
 {
     play(2);
@@ -178,7 +182,7 @@ static void test_carried_fish_are_released_after_the_third_foul(void **state)
 {
     (void)state;
     lift_fish();
-    /* The game sets `out` at the third foul. The test sets `out` directly. */
+    /* The game sets `out` when a player commits the third foul. The test sets `out` directly. */
     core.game.player[0].out = 1;
     ticks(4u * CORE_TICK_HZ);
     expect_put_away(0, 2);
@@ -195,10 +199,11 @@ static void test_a_slap_ends_when_its_fish_is_released(void **state)
     for (uint32_t i = 0; i < 4u * CORE_TICK_HZ; i++) {
         struct carried_fish *carried = &core.world.poi[0].carried_fish[0];
         if (core.world.poi[0].carried_count > 0 && carried->state == CARRIED_LYING) {
-            carried->slap_s = 0.02f; /* Makes the fish slap in every tick until it is released. */
+            /* Makes the fish slap in every tick until it is released. */
+            carried->slap_s = 0.02f;
             carried->slap_n = 0.02f;
         }
-        /* A slap of a released fish would fail an assertion in this tick. */
+        /* If a released fish slapped, an assertion would fail in this tick. */
         tick();
         slapped = slapped || core.world.poi[0].slap_count > 0;
     }
@@ -228,7 +233,7 @@ static void test_a_poi_parks_and_returns_without_a_jump(void **state)
     vec3 last_m = core.world.poi[0].position_m;
     for (uint32_t i = 0; i < 600u; i++) {
         tick();
-        /* 10 mm per tick is 1.2 m/s, the greatest speed of a parking poi. */
+        /* A poi that is being parked moves at up to 1.2 m/s, which is 10 mm per tick. */
         assert_true(v3_length(v3_sub(core.world.poi[0].position_m, last_m)) < 0.010f);
         last_m = core.world.poi[0].position_m;
     }

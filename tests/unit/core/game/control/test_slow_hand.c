@@ -1,5 +1,5 @@
-/* test_slow_hand.c -- checks that a slow, late or loosely connected controller does not protect the
- * paper from wear. */
+/* test_slow_hand.c -- checks that the paper also wears if the controller is slow, late or loosely
+ * connected. */
 #include "tests/unit/support/core_fixture.h"
 
 #define SWING_M 0.025f
@@ -33,7 +33,7 @@ static int begin(void **state)
 }
 
 /* Returns the true position of the controller at a tick. The controller moves up and down under
- * water, with the paper broadside. */
+ * water, and the paper is broadside to the motion. */
 static vec3 hand_at(uint32_t tick_of_play)
 {
     const float turns = SWING_HZ * CORE_TICK_S * (float)tick_of_play;
@@ -52,8 +52,8 @@ static void play_tick(uint32_t i)
     }
 }
 
-/* Returns after how many ticks the paper tears. The controller sends a report every `period` ticks,
- * or at uneven intervals of 4 to 50 ticks if `period` is 0. */
+/* Returns the number of ticks after which the paper tears. The controller sends a report every
+ * `period` ticks. If `period` is 0, the intervals are uneven, between 4 and 50 ticks. */
 static uint32_t lasts_at(uint32_t period)
 {
     uint32_t next = 0, age = 0;
@@ -94,8 +94,8 @@ static void test_repeated_late_reports_give_no_protection(void **state)
     assert_true(lasts > 0);
 }
 
-/* Disconnects the controller for one tick in each `period`, so that the poi must return again and
- * again. */
+/* Disconnects the controller for one tick in each `period` ticks, so that the poi must return to
+ * the controller's position again and again. */
 static void play_with_a_loose_plug(uint32_t period, uint32_t ticks_max)
 {
     begin(NULL);
@@ -118,7 +118,8 @@ static void test_a_loose_plug_protects_for_6_s_and_an_eighth_of_the_time(void **
         assert_true(tally.paused > 0);
         assert_in_range(tally.spared_in_play, 1, 720u + (ticks_max - tally.paused) / 8u);
     }
-    /* In the last case the controller is lost for one tick in 5 s, so the paper tears as usual. */
+    /* In the last case, the controller is lost for only one tick in 5 s, so the paper must tear as
+     * usual. */
     assert_true(tally.torn_tick > 0);
 }
 

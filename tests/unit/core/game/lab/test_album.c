@@ -1,12 +1,12 @@
-/* test_album.c -- checks the album: each caught fish is recorded, and its page shows how the fish
- * grows up. */
+/* test_album.c -- checks the album. Each caught fish must be recorded, and the page of the album
+ * must show how the fish grows up. */
 #include "tests/unit/support/game_fixture.h"
 
 #include "core/game/lab/lab.h"
 #include "core/game/phases.h"
 #include "core/morph/morph.h"
 
-/* Simulates that the fish number `fish` lands in the player's bowl in this tick. */
+/* Simulates that the fish with the number `fish` lands in the player's bowl in this tick. */
 static void land(uint32_t fish, uint32_t player)
 {
     struct catch_result caught[POI_MAX] = { 0 };
@@ -44,7 +44,8 @@ static void test_a_player_without_a_catch_gets_the_nearest_fish_as_a_present(voi
     const vec3 bowl_m = core.world.bowl[0].position_m;
     core.world.tank.fish[5].position_m = v3(bowl_m.x + 0.1f, -0.05f, bowl_m.z);
     core.world.tank.fish[4].position_m = v3(bowl_m.x + 0.09f, -0.05f, bowl_m.z);
-    core.world.tank.fish[4].gait = GAIT_HELD; /* A held fish cannot become the present. */
+    core.world.tank.fish[4].gait = GAIT_HELD; /* Makes the fish held, because a held fish cannot
+                                                 become the present. */
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(core.world.tank.fish[5].gait, GAIT_BOWL);
@@ -54,7 +55,7 @@ static void test_a_player_without_a_catch_gets_the_nearest_fish_as_a_present(voi
     core_scene(&core, &scene);
     assert_int_equal(scene.player[0].has_present, 1);
     assert_int_equal(scene.player[1].has_present, 0);
-    /* The present gives neither a score nor a ticket. */
+    /* The present must give neither a score nor a ticket. */
     assert_int_equal(scene.caught[0], 0);
     assert_int_equal(game_record(&core.game, &core.world, &core.config).caught, 0);
     assert_int_equal(output.tickets, 0);
@@ -74,20 +75,20 @@ static void test_only_a_player_without_a_catch_gets_a_present(void **state)
     play_into_round();
     bowl_init(&core.world.bowl[1], v3(0.0f, 0.02f, 0.0f));
     core.game.player[1].plays = core.game.player[1].out = 1;
-    /* Player 2 is out too, but has no bowl, so player 2 gets no present. */
+    /* Player 2 is out of the round too, but has no bowl and therefore gets no present. */
     core.game.player[2].plays = core.game.player[2].out = 1;
     for (uint32_t i = 0; i < ALBUM_FISH_MAX; i++) {
         land(i, 0);
     }
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    /* The album page is full, so the present replaces the last fish on the page. */
+    /* The album page is full, so the present has replaced the last fish on the page. */
     assert_int_equal(core.game.album.fish_count, ALBUM_FISH_MAX);
     assert_int_equal(core.game.album.fish[ALBUM_FISH_MAX - 1u].owner, 1);
     assert_false(album_has_present(&core.game, 0));
     assert_true(album_has_present(&core.game, 1));
     assert_false(album_has_present(&core.game, 2));
-    /* land() counts a catch, but puts no fish into the bowl. */
+    /* land() simulates a catch, but puts no fish into the bowl. Only the present is in a bowl. */
     assert_int_equal(core.world.bowl[0].fish_count, 0);
     assert_int_equal(core.world.bowl[1].fish_count, 1);
 }
@@ -139,14 +140,14 @@ static void test_the_album_stores_the_player_of_each_fish(void **state)
     assert_int_equal(core.game.album.fish[1].owner, 0);
 }
 
-/* The album keeps the state of a fish at its first catch. */
+/* The album must keep the state that a fish had when it was first caught. */
 static void test_a_fish_is_recorded_once_in_its_caught_state(void **state)
 {
     (void)state;
     play_into_round();
     const float age_days = core.world.tank.fish[5].age_days;
     land(5, 0);
-    /* The fish was poured back and is caught again at another age. The album must not change. */
+    /* The fish is poured back and caught again at another age. The album must not change. */
     core.world.tank.fish[5].gait = GAIT_SWIM;
     core.world.tank.fish[5].age_days = 9999.0f;
     land(5, 0);
@@ -171,8 +172,8 @@ static void test_each_life_runs_from_hatching_to_the_last_key(void **state)
         const struct scene_grown now = page()->fish[0];
         assert_true(now.progress >= before);
         before = now.progress;
-        /* `is_caught` is set from the moment at which the animated fish reaches the length that it
-         * had when it was caught. */
+        /* `is_caught` must become 1 when the animated fish reaches the length that it had when it
+         * was caught. */
         if (now.is_caught && !met) {
             assert_float_equal(now.length_m, now.caught_length_m, 0.03f * now.caught_length_m);
             met = 1;
@@ -180,8 +181,7 @@ static void test_each_life_runs_from_hatching_to_the_last_key(void **state)
     }
     assert_true(met);
     assert_float_equal(page()->fish[0].progress, 1.0f, 1e-3f);
-    /* The smaller fish begins to grow later on this page, so its growth animation is not complete
-     * yet. */
+    /* The smaller fish begins to grow later on this page, so its animation is not complete yet. */
     assert_true(page()->fish[1].progress < 1.0f);
 }
 
@@ -224,7 +224,7 @@ static void test_start_and_a_dip_begin_another_round(void **state)
         } else {
             dip();
         }
-        /* This kiosk has only one mode, so there is no mode selection. */
+        /* This kiosk has only one mode, so the mode selection is skipped. */
         assert_int_equal(core.game.phase, PHASE_READY);
         assert_int_equal(core.game.album.fish_count, 0);
     }

@@ -1,4 +1,5 @@
-/* test_lab.c -- checks the growth lab through inputs only: a poi, a mouse or buttons. */
+/* test_lab.c -- checks the growth lab as a user operates it, through the inputs of a poi, a mouse
+ * or buttons. */
 #include "tests/unit/support/lab_fixture.h"
 
 #include "core/base/rng.h"
@@ -13,12 +14,13 @@ static void test_a_kiosk_with_only_the_lab_opens_the_lab(void **state)
     assert_int_equal(scene.lab.species_count, species_table_count);
     tap(LAB_LEAVE);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    press(INPUT_START); /* START opens the lab again, because it is the kiosk's only choice. */
+    /* The lab is the kiosk's only choice, so START opens it again. */
+    press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_LAB);
 }
 
 /* The dip on LEAVE continues downward for some ticks after the lab has closed. This motion must not
- * count as a new dip, which would open the lab again. */
+ * count as a new dip, because a new dip would open the lab again. */
 static void test_a_poi_that_keeps_sinking_after_leaving_opens_nothing(void **state)
 {
     (void)state;
@@ -35,7 +37,8 @@ static void test_a_poi_that_keeps_sinking_after_leaving_opens_nothing(void **sta
     assert_int_equal(core.game.phase, PHASE_LAB);
 }
 
-/* Moves a poi from the middle of the tank to a point on the tag of the lab, and dips there. */
+/* Moves a poi from the middle of the tank to a point on the tag that opens the lab, and dips
+ * there. */
 static void dip_at_the_tag(struct layout_point over)
 {
     const struct layout_point canvas = pointer_layout_size(0);
@@ -60,7 +63,7 @@ static void test_a_dip_in_the_mode_selection_opens_the_lab(void **state)
     }
     assert_int_equal(look()->choice, CHOICE_LAB);
     /* The lab is a choice but not a mode, because scores are stored by mode. While the lab is
-     * selected, the tank of practice mode is shown. */
+     * selected, the scene shows the tank of practice mode. */
     assert_int_equal(scene.mode, MODE_PRACTICE);
     press(INPUT_RIGHT);
     assert_int_equal(look()->choice, MODE_FESTIVAL);
@@ -75,14 +78,15 @@ static void test_the_dip_that_opens_the_lab_presses_no_part(void **state)
     open_core(&config);
     press(INPUT_START);
     ticks(GAME_MODE_SELECT_TICKS_MIN);
-    dip_at_the_tag(middle_of(LAB_SMOOTH)); /* The tag of the lab is below the same point. */
+    /* The tag of the lab contains this point too. */
+    dip_at_the_tag(middle_of(LAB_SMOOTH));
     ticks(30);
     assert_int_equal(core.game.phase, PHASE_LAB);
     assert_int_equal(core.game.lab.holds, HOLD_BUTTON);
     assert_int_equal(look()->lab.template_id, TEMPLATE_OWN);
     assert_int_equal(scene.lab.playing, 1);
     come_up();
-    /* This is a new dip, so it presses the part of the page under the poi. */
+    /* This dip is a new one, so it presses the part of the page under the poi. */
     go_down();
     assert_int_equal(look()->lab.template_id, TEMPLATE_SMOOTH);
 }
@@ -111,7 +115,7 @@ static void test_a_minute_without_input_closes_the_lab(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* A poi that swings on its cord moves but presses nothing. The lab must close after
+/* A poi that swings on its cord moves but presses nothing. The lab must therefore close after
  * LAB_SWING_TICKS. */
 static void test_a_swinging_poi_does_not_keep_the_lab_open(void **state)
 {

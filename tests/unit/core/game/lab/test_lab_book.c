@@ -1,5 +1,5 @@
-/* test_lab_book.c -- checks that the hash of the species book (the loaded species and edited
- * graphs) depends on each of its numbers. */
+/* test_lab_book.c -- checks the hash of the species book, which contains the loaded species and the
+ * edited graphs. The hash must depend on each number in the book. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -2,7 +2,7 @@
  * page. */
 #include "tests/unit/support/lab_fixture.h"
 
-/* For any shape of the window, the pointer selects the part of the page at its position. */
+/* The pointer must select the part of the page at its position, whatever shape the window has. */
 static void test_a_mouse_selects_the_part_under_it_on_any_screen(void **state)
 {
     (void)state;
@@ -64,7 +64,8 @@ static void test_parts_do_not_overlap_and_lie_on_the_canvas(void **state)
             }
             assert_true(box.x >= 0.0f && box.x + box.width <= canvas.x);
             assert_true(box.y >= 0.0f && box.y + box.height <= canvas.y);
-            /* 40 units of the canvas are large enough for a finger on a touch screen. */
+            /* Each part is at least 40 units of the canvas high, so that a finger on a touch screen
+             * can press it. */
             assert_true(box.height >= 40.0f);
             for (uint32_t b = a + 1u; b < LAB_PRESSED_COUNT; b++) {
                 const struct layout_box other = lab_box(upright, keys, (enum lab_part)b);
@@ -92,14 +93,14 @@ static void test_a_lost_controller_releases_its_part(void **state)
     assert_int_equal(core.game.lab.holds, HOLD_NOTHING);
     assert_int_equal(look()->lab.has_hand, 0);
     hover(middle_of(LAB_STAGE));
-    /* A NaN pose must count as an absent controller. */
+    /* A pose with NaN must count as an absent controller. */
     input.poi[0].target.position_m.x = 0.0f / 0.0f;
     tick();
     assert_int_equal(look()->lab.has_hand, 0);
 }
 
-/* A part is held by one controller. The other controller presses too while the first one is lost
- * and found again, but must not get the part. */
+/* While one controller holds a part, no other controller may get the part. The other controller
+ * presses too while the first controller is lost and found again. */
 static void test_a_held_part_never_jumps_to_another_controller(void **state)
 {
     (void)state;

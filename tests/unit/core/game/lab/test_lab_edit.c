@@ -1,5 +1,5 @@
-/* test_lab_edit.c -- checks that a morph graph stays valid after any edit: the knots ascend, no
- * weight is negative, and the weights of a knot sum to 1. */
+/* test_lab_edit.c -- checks that a morph graph stays valid after any edit. The knots must be in
+ * ascending order, no weight may be negative, and the weights of a knot must sum to 1. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -58,7 +58,7 @@ static void test_the_neighbours_share_the_rest_equally_if_the_others_are_zero(vo
     assert_float_equal(weight[1], 0.4f, 1e-6f);
     assert_float_equal(weight[2], 0.3f, 1e-6f);
     memset(weight, 0, sizeof edit.graph.knots[1].weight);
-    /* The first key has only one neighbour, which gets the whole remaining weight. */
+    /* The first key has only one neighbour, so this neighbour gets the whole remaining weight. */
     weight[0] = 1.0f;
     lab_edit_weigh(&edit, card->key_count, 1, 0, 0.4f);
     assert_float_equal(weight[1], 0.6f, 1e-6f);
@@ -122,7 +122,7 @@ static void test_a_curve_has_two_to_twelve_knots(void **state)
     while (lab_edit_remove(&edit, 0.5f)) {
     }
     assert_int_equal(edit.graph.knot_count, 2);
-    /* 0.001 is too close to the first knot (at 0), so no knot is added. */
+    /* The place 0.001 is too close to the first knot (at 0), so no knot is added. */
     assert_int_equal(lab_edit_add(&edit, card->key_count, 0.001f), LAB_NO_KNOT);
 }
 
@@ -145,7 +145,7 @@ static void test_each_template_of_the_editor_belongs_to_the_species(void **state
     }
 }
 
-/* Makes ten thousand random edits of the knots. */
+/* Makes ten thousand random edits to the knots of each species. */
 static void test_ten_thousand_random_edits_leave_a_valid_graph(void **state)
 {
     (void)state;
@@ -162,8 +162,8 @@ static void test_ten_thousand_random_edits_leave_a_valid_graph(void **state)
         } else if (bits >> 28 == 2u) {
             lab_edit_remove(&edit, b);
         }
-        /* graph_check() also requires that the shapes can be solved if `solved` is set. Random
-         * weights may not allow this. */
+        /* Clears `solved`, because graph_check() would otherwise require that the shapes can be
+         * solved. Random weights may not allow this. */
         edit.graph.solved = 0;
         assert_int_equal(graph_check(&edit.graph, card->key_count).fault, GRAPH_GOOD);
         for (uint32_t k = 0; k < edit.graph.knot_count; k++) {
@@ -172,8 +172,8 @@ static void test_ten_thousand_random_edits_leave_a_valid_graph(void **state)
     }
 }
 
-/* Rounding errors must not accumulate over many edits. The limit is a third of the tolerance of
- * graph_check(). */
+/* Rounding errors must not accumulate over many edits. The limit in this test is a third of the
+ * tolerance of graph_check(). */
 static void test_weights_sum_to_one_after_any_edit(void **state)
 {
     (void)state;
@@ -214,8 +214,9 @@ static void test_the_first_edit_makes_the_growth_curve_custom(void **state)
     assert_true(lab_edit_is_valid(&edit, card));
 }
 
-/* Selecting a knot creates a custom size curve through all knots. If no knot is moved, no length
- * may change. Only near the conger's least length, the custom curve differs by up to 3 %. */
+/* When a knot is selected, the lab creates a custom size curve through all knots. As long as no
+ * knot is moved, this curve must give the same lengths. Only near the conger's least length it may
+ * differ by up to 3 %. */
 static void test_a_size_knot_that_is_not_moved_changes_no_length(void **state)
 {
     (void)state;
@@ -243,7 +244,7 @@ static void test_a_size_knot_that_is_not_moved_changes_no_length(void **state)
     }
 }
 
-/* The conger's least length (56.0 mm) is not at a key, but between the shrinking larva and the
+/* The conger has its least length (56.0 mm) not at a key, but between the shrinking larva and the
  * young eel. */
 static void test_the_conger_keeps_its_least_length_with_a_custom_curve(void **state)
 {
@@ -285,19 +286,20 @@ static void test_a_book_with_an_invalid_card_or_graph_is_rejected(void **state)
     memset(&book, 0, sizeof book);
     assert_true(lab_book_is_valid(&book));
     book.card_count = 1;
-    assert_false(lab_book_is_valid(&book)); /* All bytes of the species card are 0. */
+    assert_false(lab_book_is_valid(&book)); /* This species card has only zero bytes. */
     book.cards[0] = *card;
     assert_true(lab_book_is_valid(&book));
     assert_int_equal(lab_book_count(&book), species_table_count + 1u);
     book.cards[0].key_length_m[1] = -1.0f;
     assert_false(lab_book_is_valid(&book));
     book.cards[0] = *card;
-    /* The id of the species card has no terminating zero byte. */
+    /* Fills the id of the species card completely, so that it has no terminating zero byte. */
     memset(book.cards[0].id, 'x', sizeof book.cards[0].id);
     assert_false(lab_book_is_valid(&book));
     book.cards[0] = *card;
     book.has_edit[0] = 1;
-    assert_false(lab_book_is_valid(&book)); /* The edited graph of the first species is empty. */
+    assert_false(lab_book_is_valid(&book)); /* The edited graph of the first species is still
+                                               empty. */
     lab_edit_own(&book.edits[0], card);
     assert_true(lab_book_is_valid(&book));
     book.edits[0].graph.knots[1].weight[0] += 0.25f;
@@ -306,8 +308,8 @@ static void test_a_book_with_an_invalid_card_or_graph_is_rejected(void **state)
     assert_false(lab_book_is_valid(&book));
 }
 
-/* Each case makes one value of a valid card invalid, as a disk error or a manipulated file may
- * do. */
+/* Each of these functions makes one value of a valid card invalid, as a disk error or a manipulated
+ * file may do. */
 #define SPOIL(name, what)                                                                          \
     static void name(struct species_card *c)                                                       \
     {                                                                                              \

@@ -31,8 +31,8 @@ static void test_a_dragged_knot_always_keeps_the_constraint(void **state)
     assert_int_equal(scene.lab.is_kept, 0);
 }
 
-/* OK selects the next species while the poi holds a knot. The poi must then release the knot, so
- * that its motion does not edit the graph of the next species. */
+/* OK selects the next species while the poi holds a knot. The poi must release the knot, because
+ * its motion would otherwise edit the graph of the next species. */
 static void test_a_page_change_does_not_move_a_held_knot(void **state)
 {
     (void)state;
@@ -102,14 +102,14 @@ static void test_a_required_knot_is_not_removed(void **state)
     assert_in_range(core.game.lab.edit.graph.knot_count, 3, card()->key_count);
 }
 
-/* If the knots of several keys are in one place, a press takes the knot of the selected key's
- * curve. */
+/* The knots of several keys can be in one place. A press there must take the knot of the selected
+ * key's curve. */
 static void test_the_selected_curve_has_priority_among_knots_in_one_place(void **state)
 {
     (void)state;
     tap(LAB_PAIRWISE);
     for (uint32_t key = 0; key < card()->key_count; key++) {
-        /* Key 2 has no own knot at the place of knot 2, so knot 3 is used. */
+        /* Key 2 has no own knot at the place of knot 2, so this test uses knot 3 for it. */
         const uint32_t knot = key == 2 ? 3u : 2u;
         tap((enum lab_part)(LAB_KEY + key));
         struct layout_point at = knot_at(knot, key);
@@ -159,8 +159,8 @@ static void test_a_saved_graph_is_stored_acknowledged_and_present_on_return(void
     assert_int_equal(look()->lab.keeping, LAB_SAVED);
     assert_int_equal(scene.lab.is_kept, 1);
     tap(LAB_NEXT);
-    /* No save was requested for the next species. LAB_SAVED was the state of the first species
-     * alone. */
+    /* The state LAB_SAVED belonged to the first species. No save was requested for the species that
+     * is shown now. */
     assert_int_equal(look()->lab.keeping, LAB_NOT_SAVED);
     tap(LAB_BACK);
     assert_memory_equal(&core.game.lab.edit, &made, sizeof made);
@@ -168,12 +168,12 @@ static void test_a_saved_graph_is_stored_acknowledged_and_present_on_return(void
     tap(LAB_SAVE);
     assert_int_equal(output.edit.id, 2);
     /* After the reset the species has its original graph again (`is_own`), so the store must delete
-     * the saved custom graph. */
+     * the saved graph. */
     assert_int_equal(output.edit.is_own, 1);
 }
 
-/* Without a store, or with a full store, the page must show that saving failed. A later attempt may
- * succeed. */
+/* If there is no store, or the store is full, the page must show that saving failed. A later
+ * attempt may succeed. */
 static void test_a_failed_save_is_reported(void **state)
 {
     (void)state;
@@ -189,8 +189,8 @@ static void test_a_failed_save_is_reported(void **state)
     tap(LAB_SAVE);
     assert_int_equal(output.edit.id, 2);
     input.edit_saved_id = 2;
-    /* Save 2 is on the disk. A failure that the store then reports (`edit_refused`) belongs to
-     * another save, so the page still shows that save 2 succeeded. */
+    /* Save 2 is on the disk. The failure that the store reports now (`edit_refused`) belongs to
+     * another save, so the page must still show that save 2 succeeded. */
     input.edit_refused = 1;
     tick();
     assert_int_equal(look()->lab.keeping, LAB_SAVED);
@@ -210,7 +210,7 @@ static void test_the_lab_starts_with_the_graphs_of_the_book(void **state)
     open_core(&config);
     assert_int_equal(look()->lab.template_id, TEMPLATE_ORDINARY);
     assert_int_equal(scene.lab.species_count, species_table_count + 1u);
-    /* LAB_BACK leads from the first species to the last one, the custom species 'x'. */
+    /* From the first species, LAB_BACK leads to the last one, which is the custom species 'x'. */
     tap(LAB_BACK);
     assert_int_equal(look()->lab.card.id[0], 'x');
     config.book.edits[0].graph.knots[0].weight[0] = 0.5f;

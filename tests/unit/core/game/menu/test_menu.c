@@ -1,6 +1,6 @@
-/* test_menu.c -- checks the operator's menu. Two buttons or a poi must reach every page. No round
- * may run behind the menu, no coin inserted in it may give a credit, and each command must be sent
- * once. */
+/* test_menu.c -- checks the operator's menu. Two buttons or a poi must be able to reach every page.
+ * While the menu is open, no round may run and no inserted coin may give a credit. Each command
+ * must be sent once. */
 #include "tests/unit/support/menu_fixture.h"
 #include "tests/unit/support/newest_record.h"
 
@@ -11,8 +11,8 @@ static void test_test_opens_the_menu_immediately_outside_a_round(void **state)
     (void)state;
     press(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_MENU);
-    /* The press of TEST that opens the menu must not also activate the first tag (menu entry) of
-     * the page. */
+    /* The press of TEST that opens the menu must not also activate the page's first tag (menu
+     * entry). */
     assert_int_equal(menu()->page, MENU_TOP);
     setup(state);
     play_into_result();
@@ -29,8 +29,8 @@ static void test_test_in_a_round_asks_first_and_one_press_ends_nothing(void **st
     assert_true(menu_is_asking(&core.game));
     steps(MENU_ASK_TICKS);
     assert_false(menu_is_asking(&core.game));
-    /* The confirmation requested by the first press has timed out. The second press requests a new
-     * one. */
+    /* The first press requested a confirmation, which has timed out. The second press must request
+     * a new one. */
     press(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     assert_true(menu_is_asking(&core.game));
@@ -65,7 +65,7 @@ static void test_the_question_does_not_carry_over_to_the_next_round(void **state
 static void test_the_last_tag_of_the_menu_reopens_the_kiosk(void **state)
 {
     (void)state;
-    /* LEFT moves the selection from the first menu entry to the last one, which leaves the menu. */
+    /* LEFT moves the selection from the first menu entry to the last one, which closes the menu. */
     push(INPUT_LEFT);
     assert_int_equal(pointed(), leave());
     push(INPUT_TEST);
@@ -76,7 +76,7 @@ static void test_an_idle_menu_closes_itself(void **state)
 {
     (void)state;
     steps(MENU_IDLE_TICKS / 2u);
-    /* The press shows that a person is present, so the menu's timeout starts again. */
+    /* A press shows that a person is present, so it restarts the menu's timeout. */
     push(INPUT_SERVICE);
     steps(MENU_IDLE_TICKS - 2u * MENU_TAKE_TICKS);
     assert_int_equal(core.game.phase, PHASE_MENU);
@@ -115,11 +115,11 @@ static void test_service_adds_no_credit_in_the_menu(void **state)
     assert_int_equal(purse_audit(&core, AUDIT_CREDITS_SERVICE), 0);
 }
 
-/* Opens every page with TEST and SERVICE alone, and leaves it by its last tag. */
+/* Opens every page with TEST and SERVICE alone, and leaves the page by its last tag. */
 static void test_two_buttons_reach_every_page_and_return(void **state)
 {
-    /* Reached pages, as a bit mask. Pages that no menu entry opens are set at the start, because
-     * other tests open these pages. */
+    /* Bit mask of the reached pages. Pages that no menu entry opens are set at the start, because
+     * other tests open them. */
     uint32_t seen = 1u << MENU_TOP;
     for (uint8_t page = 1; page < MENU_PAGE_COUNT; page++) {
         seen |= menu_tag_of(page) == MENU_TAG_MAX ? 1u << page : 0u;
@@ -175,8 +175,8 @@ static void test_a_coin_on_the_lines_page_is_a_test_coin_and_only_metered(void *
     core.config.credit_coins = 1;
     static struct scene scene;
     go_to_lines();
-    /* The coin slot must be open on this page. Otherwise no coin would reach the coin mechanism
-     * that is tested. */
+    /* On this page the coin slot must be open, so that coins reach the coin mechanism that is
+     * tested. */
     assert_int_equal(output.coin_lockout, 0);
     for (uint32_t i = 0; i < 5; i++) {
         drop(1);
@@ -184,14 +184,15 @@ static void test_a_coin_on_the_lines_page_is_a_test_coin_and_only_metered(void *
     core_scene(&core, &scene);
     assert_int_equal(scene.menu.test_coins, 5);
     assert_int_equal(core.game.accounts.ledger.balance.units + purse_credits(&core), 0);
-    /* Test coins fall into the cash box, so the coin meter counts them. */
+    /* The test coins fall into the cash box, so the coin meter must count them. */
     assert_int_equal(output.coins_counted, 5);
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_DEVICES);
     assert_int_equal(output.coin_lockout, 1);
 }
 
-/* On other pages the coin slot is closed. A coin that is inserted anyway counts as a test coin. */
+/* On all other pages the coin slot is closed. If a coin is inserted in spite of this, it counts as
+ * a test coin. */
 static void test_other_pages_reject_coins_and_an_inserted_one_is_a_test_coin(void **state)
 {
     (void)state;
@@ -213,7 +214,7 @@ static void test_other_pages_reject_coins_and_an_inserted_one_is_a_test_coin(voi
     }
 }
 
-/* If a coin falls in the tick in which the page changes, the meter and the audits must count it
+/* A coin falls in the tick in which the page changes. The meter and the audits must count it
  * once. */
 static void test_a_test_coin_in_the_tick_of_a_page_change_counts_once(void **state)
 {
@@ -222,8 +223,8 @@ static void test_a_test_coin_in_the_tick_of_a_page_change_counts_once(void **sta
     for (uint32_t i = 1; i <= 60u; i++) {
         menu_turn(&core.game.menu, &core.game, &core.config.persistent.settings,
                   i % 20u < 10u ? MENU_DEVICES : MENU_LINES);
-        /* Every run of this loop inserts a coin. In every tenth run TEST is pressed in the same
-         * tick, which opens or leaves the page LINES. */
+        /* Each pass of this loop inserts a coin. In every tenth pass, TEST is pressed in the same
+         * tick and opens or leaves the page LINES. */
         if (i % 10u == 0) {
             core.game.menu.tag[MENU_DEVICES] = (uint8_t)menu_tag_of(MENU_LINES);
             input.pressed = INPUT_TEST;
@@ -242,7 +243,7 @@ static void test_the_lines_page_shows_inputs_and_only_test_leaves_it(void **stat
     static struct scene scene;
     uint16_t before[INPUT_BUTTON_COUNT];
     go_to_lines();
-    /* The counters may contain earlier presses, so the test checks only how much they increase. */
+    /* Stores the counters before the test, because they may contain earlier presses. */
     memcpy(before, menu()->pressed_count, sizeof before);
     const uint32_t shown = INPUT_START | INPUT_OK | INPUT_LEFT | INPUT_RIGHT | INPUT_TILT;
     input.held = shown;

@@ -1,5 +1,6 @@
-/* test_menu_calibrate.c -- checks the menu page that calibrates a poi: the marks, undo, and the
- * effect on catching fish. After a power cut, the calibration must be complete or absent. */
+/* test_menu_calibrate.c -- checks the menu page that calibrates a poi: its marks, undo, and the
+ * effect of the calibration on catching fish. After a power cut, the calibration must be complete
+ * or absent. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -98,7 +99,7 @@ static void open_page(void)
     assert_int_equal(menu()->page, MENU_CALIBRATION);
 }
 
-/* Calibrates the poi by moving it from mark to mark, without a button. */
+/* Calibrates the poi without a button, by moving it from mark to mark. */
 static void lead_through(struct poi_target water)
 {
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
@@ -132,7 +133,7 @@ static void test_a_calibration_visits_each_mark_and_applies_immediately(void **s
     hold_true(at, 60);
     const vec3 off_m =
         v3_sub(stall.core.game.control[0].validation.newest.position_m, at.position_m);
-    /* The error is below 4 mm, of which 1 mm is the tremor. */
+    /* The error must be below 4 mm. The tremor causes 1 mm of it. */
     assert_true(v3_length(off_m) < 0.004f);
 }
 
@@ -153,7 +154,7 @@ static void test_each_calibration_value_is_a_ledger_entry(void **state)
             entry->value,
             stall.core.config.persistent.settings.value[input_calibration_setting(0) + i]);
     }
-    /* The last entry is the check value, which marks the calibration as complete. */
+    /* The last entry must be the check value, which marks the calibration as complete. */
     const struct ledger_entry *check = &stall.output.entries[stall.output.entry_id % LEDGER_RING];
     assert_int_equal(check->detail | check->count << 8, input_calibration_check_setting(0));
     assert_true(settings_edit_is_saved(&stall.core.game.accounts.ledger,
@@ -161,8 +162,8 @@ static void test_each_calibration_value_is_a_ledger_entry(void **state)
                                        &stall.core.config.persistent.settings));
 }
 
-/* Returns the settings that are stored if the power is cut after `count` of the entries that follow
- * entry `before_id`. */
+/* Returns the settings that are stored if the power is cut after the first `count` entries after
+ * the entry `before_id`. */
 static struct settings settings_cut_after(const struct settings *before, uint32_t before_id,
                                           uint32_t count)
 {
@@ -176,8 +177,8 @@ static struct settings settings_cut_after(const struct settings *before, uint32_
     return left;
 }
 
-/* Simulates a power cut before the first entry, between any two entries and after the last one. The
- * stored calibration must then be the old one, the new one or none, but never a mixture. */
+/* Simulates a power cut before the first entry, between any two entries, and after the last entry.
+ * The stored calibration must be the old one, the new one or none, but never a mixture. */
 static void expect_no_patchwork(const struct settings *before, uint32_t before_id)
 {
     const struct settings now = stall.core.config.persistent.settings;
@@ -200,8 +201,8 @@ static void expect_no_patchwork(const struct settings *before, uint32_t before_i
         assert_false(input_calibration_is_torn(&left, 0) && (i == 0 || i == count));
     }
     /* A power cut between two ledger entries must leave an incomplete calibration, which is
-     * detected and not used. At most one cut is excepted: during a removal, the last cut may leave
-     * no calibration at all. */
+     * detected and not used. There is one exception: during a removal, the last cut may leave no
+     * calibration at all. */
     assert_true(torn >= count - 2u);
 }
 
@@ -215,7 +216,7 @@ static void test_an_incomplete_calibration_after_a_power_cut_is_not_used(void **
     take(CALIBRATE_BEGIN);
     lead_through((struct poi_target){ 0 });
     hold_true(aside, CORE_TICK_HZ);
-    /* Simulates power cuts during the first calibration of the poi. */
+    /* Cuts the power during the first calibration of the poi. */
     expect_no_patchwork(&before, before_id);
 
     before = stall.core.config.persistent.settings;
@@ -223,19 +224,19 @@ static void test_an_incomplete_calibration_after_a_power_cut_is_not_used(void **
     take(CALIBRATE_BEGIN);
     lead_through((struct poi_target){ .position_m.y = 0.01f, .angles = { 0.0f, 0.1f, 0.05f } });
     hold_true(aside, CORE_TICK_HZ);
-    /* Simulates power cuts during a second calibration, which replaces the first one. */
+    /* Cuts the power during a second calibration, which replaces the first one. */
     expect_no_patchwork(&before, before_id);
 
     before = stall.core.config.persistent.settings;
     before_id = stall.output.entry_id;
     take(CALIBRATE_NONE);
     hold_true(aside, CORE_TICK_HZ);
-    /* Simulates power cuts during the removal of the calibration. */
+    /* Cuts the power during the removal of the calibration. */
     expect_no_patchwork(&before, before_id);
 }
 
-/* After a power cut the page shows that the calibration is incomplete and lets the operator remove
- * it. Undo restores the last complete calibration. */
+/* After a power cut, the page must show that the calibration is incomplete and let the operator
+ * remove it. Undo must restore the last complete calibration. */
 static void test_an_incomplete_calibration_is_shown_and_can_be_removed(void **state)
 {
     (void)state;
@@ -283,7 +284,7 @@ static void test_a_rejected_calibration_changes_nothing(void **state)
 }
 
 /* Only a poi that rests after a motion marks a position. A poi in its holder, a moving poi and an
- * absent poi do not. */
+ * absent poi must mark nothing. */
 static void test_only_a_rest_after_a_movement_counts_as_a_mark(void **state)
 {
     (void)state;
@@ -292,7 +293,7 @@ static void test_only_a_rest_after_a_movement_counts_as_a_mark(void **state)
     const struct poi_target holder = { .position_m = v3(0.0f, 0.1f, 0.0f) };
     hold_true(holder, 4u * CALIBRATE_STILL_TICKS);
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
-    /* The poi moves at 10 cm/s and never rests. */
+    /* Moves the poi at 10 cm/s, so that it never rests. */
     for (uint32_t i = 0; i < 5u * CALIBRATE_STILL_TICKS; i++) {
         const float x = 0.001f * (float)(i % 600u) - 0.3f;
         hold_true((struct poi_target){ .position_m = v3(x, 0.1f, 0.0f) }, 1);
@@ -307,7 +308,7 @@ static void test_only_a_rest_after_a_movement_counts_as_a_mark(void **state)
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
     hold_true(mark, CALIBRATE_STILL_TICKS / 2u + 2u);
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER + 1);
-    /* The poi still rests at the first mark. A resting poi must not confirm the second mark. */
+    /* The poi still rests at the first mark, which must not confirm the second mark. */
     hold_true(mark, 4u * CALIBRATE_STILL_TICKS);
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER + 1);
 }
@@ -330,7 +331,7 @@ static void test_a_moving_poi_activates_no_tag(void **state)
 /* ---- A round -------------------------------------------------------------------------------- */
 
 /* Plays a round in which a bot moves the poi. The core gets the poses in the coordinates of the
- * simulated device. */
+ * simulated device. Returns the number of ticks. */
 static uint32_t play_a_round(void)
 {
     uint32_t ticks = 0;

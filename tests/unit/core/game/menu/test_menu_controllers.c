@@ -1,5 +1,5 @@
 /* test_menu_controllers.c -- tests the menu pages for controllers and files. Each command must be
- * sent once, and every row of the file list must be reachable. */
+ * sent once, and the operator must be able to reach every row of the file list. */
 #include "tests/unit/support/menu_fixture.h"
 
 static void test_the_actions_of_a_controller_depend_on_its_state(void **state)
@@ -23,7 +23,8 @@ static void test_the_actions_of_a_controller_depend_on_its_state(void **state)
         step();
         core_scene(&core, &scene);
         assert_int_equal(scene.menu.tags, offers[i].tags | 1u << ROW_BACK);
-        /* If the new state disables the selected menu entry, the menu must select another entry. */
+        /* The new state may have disabled the selected menu entry. In this case, the menu must have
+         * selected another entry. */
         assert_true(scene.menu.tags >> scene.menu.tag & 1u);
     }
 }
@@ -38,7 +39,7 @@ static void test_each_command_is_sent_once_with_its_row(void **state)
     expect_order(1, COMMAND_CHOOSE, 3);
     input.controllers.state[3] = CONTROLLER_ACTIVE;
     step();
-    /* The menu entry ROW_CHOOSE is now disabled, so the menu selects ROW_RELEASE. */
+    /* The menu entry ROW_CHOOSE has been disabled, so the menu selects ROW_RELEASE. */
     assert_int_equal(pointed(), ROW_RELEASE);
     push(INPUT_TEST);
     expect_order(2, COMMAND_RELEASE, 3);
@@ -63,15 +64,16 @@ static void test_a_controller_mapping_is_learned_step_by_step_and_stored(void **
     push(INPUT_SERVICE);
     push(INPUT_TEST);
     expect_order(1, COMMAND_LEARN, 3);
-    /* LEARNS_NEXT is disabled until the controller manager has begun to learn the controller. */
+    /* The controller manager has not begun to learn the controller yet, so LEARNS_NEXT is
+     * disabled. */
     assert_int_equal(pointed(), LEARNS_END);
     uint32_t id = 1;
     for (uint8_t learn = LEARN_REST; learn <= LEARN_DIP; learn++) {
         input.controllers.learn_step = learn;
         input.controllers.learn_row = 3;
         step();
-        /* Moves the selection away from LEARNS_NEXT first, to test that the operator can select
-         * LEARNS_NEXT again in every step of the learning. */
+        /* Moves the selection away from LEARNS_NEXT. The operator must then be able to select it
+         * again in every step of the learning. */
         push(INPUT_LEFT);
         while (pointed() != LEARNS_NEXT) {
             push(INPUT_SERVICE);
@@ -84,8 +86,8 @@ static void test_a_controller_mapping_is_learned_step_by_step_and_stored(void **
     assert_int_equal(pointed(), LEARNS_KEEP);
     push(INPUT_SERVICE);
     push(INPUT_TEST);
-    /* The selected menu entry, LEARNS_AGAIN, starts the learning again, so COMMAND_LEARN is sent
-     * with a new number. */
+    /* The selected menu entry, LEARNS_AGAIN, has started the learning again, so COMMAND_LEARN was
+     * sent with a new number. */
     expect_order(++id, COMMAND_LEARN, 3);
     while (pointed() != LEARNS_KEEP) {
         push(INPUT_SERVICE);
@@ -118,7 +120,8 @@ static void test_a_failed_write_of_a_mapping_is_reported_on_every_page(void **st
     push(INPUT_TEST);
     expect_order(3, COMMAND_LEARN_KEEP, 3);
     steps(10);
-    /* The input still reports LEARN_NOT_SAVED. The menu opens the page of the failure only once. */
+    /* The input still reports LEARN_NOT_SAVED, but the menu opens the page of the failure only
+     * once. */
     assert_int_equal(menu()->page, MENU_CONTROLLERS);
 }
 
@@ -178,8 +181,8 @@ static void test_the_more_tag_is_enabled_when_the_rows_exceed_a_page(void **stat
     }
 }
 
-/* For any number of rows and both screen orientations, MORE must show every row and then the first
- * again. */
+/* With any number of rows and in both screen orientations, MORE must show every row and then the
+ * first row again. */
 static void test_the_more_tag_pages_through_every_row_and_back_to_the_first(void **state)
 {
     static struct scene scene;
@@ -219,8 +222,8 @@ static void test_the_files_page_always_opens_at_the_first_row(void **state)
     assert_int_equal(menu()->file_first, 0);
 }
 
-/* If files are quarantined, the page preselects the tag that leads back. The operator must select
- * the acknowledgement deliberately. */
+/* If files are quarantined, the tag that leads back is preselected. The operator must therefore
+ * select the acknowledgement deliberately. */
 static void test_quarantined_files_are_acknowledged_by_a_separate_tag(void **state)
 {
     (void)state;

@@ -1,9 +1,9 @@
-/* test_menu_poi.c -- tests that the operator's menu can be used with a poi alone, and that a poi
- * selects no tag by accident. */
+/* test_menu_poi.c -- tests that an operator can use the menu with a poi alone, and that a poi
+ * selects no tag (menu entry) by accident. */
 #include "tests/unit/support/menu_fixture.h"
 
-/* Holds a poi over the middle of a tag, `y_m` above the water. For a poi with orientation, the tank
- * seen from above is mapped to the whole screen. */
+/* Holds a poi over the middle of a tag, `y_m` above the water. If the poi measures its orientation,
+ * the position is mapped from the tank seen from above to the whole screen. */
 static void hold_over(uint32_t tag, float y_m)
 {
     const int upright = input.upright;
@@ -24,7 +24,7 @@ static void hold_over(uint32_t tag, float y_m)
 static void tap(uint32_t tag)
 {
     hold_over(tag, ABOVE_M);
-    /* Moves the poi from 2 cm beside the menu entry onto this entry, because only a moving poi
+    /* Moves the poi from 2 cm beside the menu entry onto the entry, because only a moving poi
      * selects an entry. */
     input.poi[0].target.position_m.x += 0.02f;
     step();
@@ -71,7 +71,7 @@ static void test_a_dip_outside_the_tags_activates_none(void **state)
     (void)state;
     hold_over(0, ABOVE_M);
     steps(MENU_TAKE_TICKS);
-    /* The poi is over the title of the page, where no menu entry is. */
+    /* Moves the poi over the title of the page, where no menu entry is. */
     input.poi[0].target.position_m.z = -0.49f * core.world.tank.size_m.z;
     step();
     input.poi[0].target.position_m.y = BELOW_M;
@@ -114,8 +114,9 @@ static void test_a_moving_controller_without_a_bowl_selects_tags(void **state)
     (void)state;
     hold_over(0, ABOVE_M);
     steps(2);
-    /* A second poi now rests in slot 2 over the same menu entry. The kiosk has only one player, in
-     * slot 0, but any connected poi can use the menu: the poi that moves selects the entry. */
+    /* Places a second poi in slot 2 at rest over the same menu entry. Any connected poi can use the
+     * menu, although the kiosk has only one player, in slot 0. The poi that moves selects the
+     * entry. */
     input.poi[2] = input.poi[0];
     steps(2);
     hold_over(1, ABOVE_M);
@@ -133,8 +134,8 @@ static void test_a_moving_controller_without_a_bowl_selects_tags(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* The page opens under a resting poi. The menu entry under the poi must not be selected, because
- * the player did not point at this entry. */
+/* The page opens while a poi rests over one of its entries. This entry must not be selected,
+ * because the player did not point at it. */
 static void test_a_resting_poi_selects_no_tag_as_a_page_opens(void **state)
 {
     (void)state;
@@ -143,8 +144,8 @@ static void test_a_resting_poi_selects_no_tag_as_a_page_opens(void **state)
     go_to(MENU_DEVICES);
     hold_over(0, ABOVE_M);
     steps(2);
-    /* The selected menu entry of a page must not change when another page opens under the resting
-     * poi, nor when the menu returns to the first page. */
+    /* A page opens under the resting poi, and afterwards the first page is shown again. Neither may
+     * change the selected entry. */
     for (uint32_t i = 0; i < 2u; i++) {
         go_to(MENU_AXES);
         const uint8_t left = (uint8_t)menu_tag_of(MENU_AXES);
@@ -156,7 +157,7 @@ static void test_a_resting_poi_selects_no_tag_as_a_page_opens(void **state)
     hold_over(0, ABOVE_M);
     input.poi[0].target.position_m.x += 0.02f;
     steps(2);
-    /* The poi has moved, so the menu entry under the poi is selected. */
+    /* The poi has moved now, so the menu entry under it is selected. */
     assert_int_equal(pointed(), 0);
 }
 

@@ -1,5 +1,5 @@
-/* test_menu_ranking.c -- checks the menu pages for the leaderboards. Two buttons must reach each
- * score and lead back. */
+/* test_menu_ranking.c -- checks the menu pages for the leaderboards. The operator must be able to
+ * reach each score with two buttons, and to leave the pages. */
 #include "core/game/menu/menu_pages.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/game_fixture.h"
@@ -50,7 +50,7 @@ static void test_only_rows_with_a_score_can_be_activated(void **state)
     (void)state;
     open_ranking();
     assert_int_equal(menu_enabled(&core.game.menu), 7u | 3u << RANKING_NEXT);
-    /* The next leaderboard is that of the week. The week has no score, so no row can be
+    /* The next leaderboard is that of the week. It has no score, so none of its rows can be
      * selected. */
     take(RANKING_NEXT);
     assert_int_equal(menu_enabled(&core.game.menu), 3u << RANKING_NEXT);
@@ -67,7 +67,8 @@ static void test_the_leaderboards_cycle_and_practice_has_none(void **state)
         core_scene(&core, &scene);
         assert_true(scene.leaderboard.shown);
         assert_int_equal(scene.leaderboard.period, i % 3u);
-        /* NEXT shows the three periods of the festival and then those of the championship. */
+        /* NEXT shows the three periods of the festival, and then the three periods of the
+         * championship. */
         assert_int_equal(scene.leaderboard.mode, i / 3u % 2u);
         take(RANKING_NEXT);
     }
@@ -94,7 +95,7 @@ static void test_a_confirmed_removal_deletes_a_name_from_every_leaderboard(void 
     take(2);
     const uint32_t before = output.entry_id;
     take(SCORE_UNNAME);
-    /* The menu first asks for a confirmation, so nothing has been written yet. */
+    /* The menu first asks for a confirmation, so no ledger entry has been written yet. */
     assert_int_equal(output.entry_id, before);
     assert_false(menu_enabled(&core.game.menu) >> SCORE_UNNAME & 1u);
     take(SCORE_CONFIRM);
@@ -107,7 +108,7 @@ static void test_a_confirmed_removal_deletes_a_name_from_every_leaderboard(void 
     assert_string_equal(name_in(RANK_DAY, 2), "");
     assert_string_equal(name_in(RANK_EVER, 2), "");
     assert_string_equal(name_in(RANK_DAY, 0),
-                        "さくら"); /* The name of another player of this round is kept. */
+                        "さくら"); /* The name of the other player of this round is kept. */
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][2].caught, 7);
 }
 
@@ -119,7 +120,7 @@ static void test_a_cancelled_removal_deletes_no_name(void **state)
     take(SCORE_UNNAME);
     take(SCORE_BACK);
     take(0);
-    /* After the cancellation, the page offers SCORE_UNNAME again instead of the confirmation. */
+    /* The confirmation was cancelled, so the page offers SCORE_UNNAME again. */
     assert_true(menu_enabled(&core.game.menu) >> SCORE_UNNAME & 1u);
     assert_string_equal(name_in(RANK_DAY, 0), "さくら");
 }

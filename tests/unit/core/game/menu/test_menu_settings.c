@@ -1,5 +1,5 @@
-/* test_menu_settings.c -- checks settings that an operator changes with two buttons or a poi. Each
- * change must apply at once, give one ledger entry, and never be lost. */
+/* test_menu_settings.c -- checks the settings that an operator changes with two buttons or a poi.
+ * Each change must apply at once, give one ledger entry, and never be lost. */
 #include "core/pin.h"
 #include "core/game/accounting/accounts.h"
 #include "core/game/menu/menu_pages.h"
@@ -7,7 +7,7 @@
 #include "tests/unit/support/game_fixture.h"
 #include "tests/unit/support/menu_tag.h"
 
-/* Seconds for which TEST is held. This time is enough to step through the longest range of
+/* Seconds for which TEST is held, which is long enough to step through the longest range of
  * values. */
 #define HELD_S 12u
 
@@ -52,7 +52,7 @@ static void go_back(void)
     take(menu_tag_count(menu()->page, false) - 1u);
 }
 
-/* Opens a kiosk with default settings and with a store that saves every entry, and opens the
+/* Opens a kiosk with default settings and with a store that saves every entry. Then opens the
  * menu. */
 static int setup_menu(void **state)
 {
@@ -87,7 +87,7 @@ static const struct ledger_entry *newest(void)
     return &output.entries[output.entry_id % LEDGER_RING];
 }
 
-/* Reports all entries as saved. */
+/* Reports all entries to the core as saved. */
 static void save_all(void)
 {
     input.record_saved_id = output.entry_id;
@@ -122,7 +122,8 @@ static void test_the_level_of_the_menu_is_the_level_of_the_next_round(void **sta
     }
 }
 
-/* Recordings older than format 9 contain the presses of buttons for a menu without this row. */
+/* The menu of recordings older than format 9 has no row for the level. Their button presses fit
+ * only this menu. */
 static void test_under_the_rules_of_format_8_the_menu_has_no_row_for_the_level(void **state)
 {
     (void)state;
@@ -137,7 +138,8 @@ static void test_under_the_rules_of_format_8_the_menu_has_no_row_for_the_level(v
         for (uint32_t row = 0; row + 1u < menus[i].body_count; row++) {
             push(INPUT_SERVICE);
         }
-        push(INPUT_TEST); /* The last row opens the page of the modes. */
+        /* The last row of the page opens the page of the modes. */
+        push(INPUT_TEST);
         assert_int_equal(menu()->page, MENU_MODES);
         go_back();
         push(INPUT_LEFT);
@@ -164,8 +166,8 @@ static void test_the_footer_decrements_a_value_and_restores_the_default(void **s
     assert_int_equal(value(SET_VOLUME), 85);
 }
 
-/* A setting may also be changed by the configuration file or the command line. The menu must then
- * enable the tag that restores its default. */
+/* The configuration file or the command line may also change a setting. The menu must then enable
+ * the tag that restores the default of this setting. */
 static void test_a_setting_changed_elsewhere_enables_its_default(void **state)
 {
     (void)state;
@@ -185,7 +187,8 @@ static void test_an_unchanged_setting_is_not_shown_as_saved(void **state)
     core_scene(&core, &scene);
     assert_true(scene.menu.is_saved && !scene.menu.has_turned);
     push(INPUT_TEST);
-    /* The ledger entry of a setting is written when the value has not changed for some seconds. */
+    /* The ledger entry of a setting is written only when the value has not changed for some
+     * seconds. */
     steps(3u * CORE_TICK_HZ);
     save_all();
     core_scene(&core, &scene);
@@ -195,8 +198,8 @@ static void test_an_unchanged_setting_is_not_shown_as_saved(void **state)
     assert_false(scene.menu.has_turned);
 }
 
-/* Steps through all values of each setting upward, around to the lowest, and down again. Every
- * valid value must appear, and no other value. */
+/* Steps through all values of each setting upward, continues at the lowest value, and steps down
+ * again. Every valid value must appear, and no other value. */
 static void test_every_setting_reaches_every_value_of_its_range(void **state)
 {
     (void)state;
@@ -232,8 +235,8 @@ static void test_every_setting_is_on_exactly_one_page(void **state)
                 rows += menu_setting_at(page, false, tag) == id;
             }
         }
-        /* Each setting has one row on one page. Only the PIN has no row, because it is entered as
-         * digits. */
+        /* Each setting must have one row on one page. Only the PIN has no row, because it is
+         * entered as digits. */
         assert_int_equal(rows, id == SET_PIN ? 0 : 1);
     }
 }
@@ -247,7 +250,8 @@ static void test_a_held_button_repeats_fast_and_stops_at_the_end(void **state)
     press(INPUT_TEST);
     assert_int_equal(value(SET_FISH), 1);
     steps(CORE_TICK_HZ / 2u - 1u);
-    /* A button counts as held after half a second. Until then the value has changed only once. */
+    /* A button counts as held after half a second. Until then, the value must have changed only
+     * once. */
     assert_int_equal(value(SET_FISH), 1);
     steps(2);
     assert_int_equal(value(SET_FISH), 2);
@@ -256,7 +260,7 @@ static void test_a_held_button_repeats_fast_and_stops_at_the_end(void **state)
     input.held = 0;
     step();
     push(INPUT_TEST);
-    /* A held button stops at the maximum. Only a new press continues at 0. */
+    /* A held button stops at the maximum. Only a new press continues at 0, the minimum. */
     assert_int_equal(value(SET_FISH), 0);
 }
 
@@ -307,7 +311,7 @@ static void test_fish_count_players_and_language_apply_at_the_next_attract(void 
     take(row_of(MENU_GAME, SET_PLAYERS));
     take(row_of(MENU_GAME, SET_LANGUAGE));
     assert_int_equal(core.world.tank.fish_count, before);
-    /* The selected language is used immediately. */
+    /* The selected language must be used immediately. */
     assert_int_equal(core.game.language, LANGUAGE_EN);
     go_back();
     go_back();
@@ -376,7 +380,8 @@ static void test_a_full_ring_and_a_closed_menu_lose_no_setting(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
     assert_int_equal(output.entry_id, full);
     assert_int_equal(core.game.accounts.ledger.uncommitted, 0);
-    /* The store has saved all entries, so the ring now has room for the entry of the setting. */
+    /* The store has now saved all entries, so the ring buffer has room for the entry of the
+     * setting. */
     save_all();
     step();
     assert_int_equal(output.entry_id, full + 1u);
@@ -397,7 +402,7 @@ static void test_a_factory_reset_requires_a_confirmation(void **state)
     go_to(MENU_UPKEEP);
     go_to(MENU_FACTORY);
     const uint32_t before = output.entry_id;
-    /* CONFIRM_BACK is preselected, so an accidental press resets nothing. */
+    /* CONFIRM_BACK is preselected, so this accidental press resets nothing. */
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_UPKEEP);
     assert_int_equal(output.entry_id, before);
@@ -406,7 +411,7 @@ static void test_a_factory_reset_requires_a_confirmation(void **state)
     assert_int_equal(menu()->page, MENU_UPKEEP);
     assert_int_equal(newest()->id, before + 1u);
     assert_int_equal(newest()->kind, LEDGER_FACTORY);
-    /* The ledger entry of the reset contains the number of deleted paid credits, which count as
+    /* The ledger entry of the reset contains the number of deleted paid credits. They count as
      * expired. */
     assert_int_equal(newest()->count, 3);
     assert_int_equal(core.game.accounts.audits.count[AUDIT_EXPIRED], 3);
@@ -416,7 +421,7 @@ static void test_a_factory_reset_requires_a_confirmation(void **state)
     assert_int_equal(core.game.accounts.ledger.balance.paid, 0);
     assert_int_equal(value(SET_VOLUME), 80);
     steps(CORE_TICK_HZ);
-    /* One ledger entry resets all settings. No ledger entries of single settings follow. */
+    /* One ledger entry resets all settings, so no entries of single settings may follow. */
     assert_int_equal(output.entry_id, before + 1u);
 }
 
@@ -432,8 +437,8 @@ static void test_no_reset_happens_without_room_in_the_ledger(void **state)
     go_to(MENU_FACTORY);
     fill_the_ring();
     take(CONFIRM_YES);
-    /* The ring buffer of unsaved ledger entries is full, so the confirmation page stays open and
-     * nothing is reset. */
+    /* The ring buffer of unsaved ledger entries is full. Therefore nothing is reset, and the
+     * confirmation page stays open. */
     assert_int_equal(menu()->page, MENU_FACTORY);
     assert_int_equal(core.game.accounts.ledger.balance.paid, 3);
     assert_int_equal(value(SET_VOLUME), 85);
@@ -458,7 +463,7 @@ static void test_a_reset_of_the_audits_is_an_entry_with_the_counts(void **state)
         core.game.accounts.audits.count[books[i].audit + 1u] = 2;
         go_to(books[i].page);
         const uint32_t before = output.entry_id;
-        /* BOOK_BACK is preselected, so this press leaves the page. */
+        /* BOOK_BACK is preselected, so this press only leaves the page. */
         push(INPUT_TEST);
         go_to(books[i].page);
         take(BOOK_RESET);
@@ -527,8 +532,8 @@ static void test_each_wrong_pin_doubles_the_delay(void **state)
     for (uint32_t tries = 0; tries < 7u; tries++) {
         type(408);
         assert_int_equal(menu()->page, MENU_PIN);
-        /* During the delay after a wrong PIN, which is at least 5 s, the right PIN is rejected too.
-         * There is nothing to check if entering the digits took longer than the delay. */
+        /* After a wrong PIN there is a delay of at least 5 s, in which the right PIN is rejected
+         * too. If entering the digits took longer than the delay, there is nothing to check. */
         type(407);
         if (menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick) > 0) {
             assert_int_equal(menu()->page, MENU_PIN);
@@ -552,7 +557,8 @@ static void test_leaving_the_menu_does_not_shorten_the_delay(void **state)
     type(1);
     take(PIN_BACK);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    /* Waits until a new session has started. The delay for a new PIN entry must continue. */
+    /* Waits until a new session has started. The delay after the wrong PIN must continue in this
+     * session. */
     for (uint32_t i = 0; i < SESSION_FADE_TICKS + 2u; i++) {
         core_tick(&core, &input, &output);
     }
@@ -561,7 +567,7 @@ static void test_leaving_the_menu_does_not_shorten_the_delay(void **state)
     assert_true(menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick) > 0);
 }
 
-/* After a power cut, the delay must follow from the stored ledger entries. */
+/* After a power cut, the remaining delay must be computed from the stored ledger entries. */
 static void test_a_power_cut_does_not_shorten_the_delay(void **state)
 {
     (void)state;
@@ -591,7 +597,7 @@ static void test_a_power_cut_does_not_shorten_the_delay(void **state)
     assert_int_equal(core.game.accounts.audits.count[AUDIT_WRONG_PINS], 0);
 }
 
-/* However many wrong PINs are stored, the delay is at most 160 s. */
+/* The delay must be at most 160 s, however many wrong PINs are stored. */
 static void test_the_delay_after_wrong_pins_is_limited(void **state)
 {
     (void)state;
@@ -629,7 +635,8 @@ static void test_a_new_pin_is_required_and_0000_disables_it(void **state)
     go_to(MENU_UPKEEP);
     go_to(MENU_NEW_PIN);
     type(9051);
-    /* A negative value is a hash, so the stored setting does not reveal the PIN. */
+    /* The stored value is negative, which means that it is a hash. The setting therefore does not
+     * reveal the PIN. */
     assert_true(value(SET_PIN) < 0);
     assert_true(pin_matches(value(SET_PIN), 9051));
     assert_int_equal(menu()->page, MENU_UPKEEP);
