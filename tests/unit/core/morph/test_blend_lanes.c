@@ -1,5 +1,5 @@
-/* test_blend_lanes.c -- checks that the vertices that the SIMD code blends equal those of the
- * scalar code bit for bit. */
+/* test_blend_lanes.c -- checks that the SIMD code blends vertices to the same values as the scalar
+ * code, bit for bit. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -30,7 +30,7 @@ static int16_t any_int16(uint32_t round, uint32_t *use)
 }
 
 /* Fills the mesh with random points. About 10 % of the vertices have an anchor and a random mask,
- * which the SIMD code must treat separately. */
+ * because the SIMD code must treat such vertices separately. */
 static void any_mesh(uint32_t round, uint32_t key_count, uint32_t vertex_count)
 {
     uint32_t use = 0;

@@ -64,8 +64,8 @@ static void test_every_template_keeps_the_constraint_at_knots_and_between(void *
     }
 }
 
-/* Returns the next number in [0, 1) of a linear congruential generator, so that every run is the
- * same. */
+/* Returns the next number in [0, 1) of a linear congruential generator, which gives the same
+ * numbers in every run. */
 static float next_share(uint32_t *seed)
 {
     *seed = *seed * 1664525u + 1013904223u;
@@ -101,7 +101,7 @@ static void test_any_good_graph_keeps_the_constraint_between_its_knots(void **st
         const struct graph graph =
             random_graph(&seed, key_count, round % 2 ? GRAPH_SMOOTH : GRAPH_STRAIGHT);
         if (graph_check(&graph, key_count).fault != GRAPH_GOOD) {
-            /* The generator may place two knots in the wrong order, which is not a valid graph. */
+            /* The random graph is not valid, because two of its knots may be in the wrong order. */
             continue;
         }
         good++;
@@ -130,7 +130,7 @@ static void test_a_curve_passes_its_knots_exactly(void **state)
     }
 }
 
-/* Returns the largest change of the slope between two successive steps. */
+/* Returns the largest change of the slope of a weight between two successive steps. */
 static float sharpest_corner(const struct graph *graph)
 {
     float before[2][MORPH_KEY_MAX], sharpest = 0.0f;
@@ -223,8 +223,8 @@ static void test_a_graph_with_a_tiny_weight_of_a_key_cannot_be_solved(void **sta
     assert_int_equal(verdict_of(&graph).fault, GRAPH_GOOD);
 }
 
-/* In section 4.2 of the 2005 thesis, the middle shape T is replaced by T' = (T - 0.15 (S + U)) /
- * 0.7, an exaggeration, where S and U are the other shapes. The solution must have these
+/* In section 4.2 of the 2005 thesis, the middle shape T is replaced by an exaggerated shape T' = (T
+ * - 0.15 (S + U)) / 0.7, where S and U are the other shapes. The solution must have the same
  * factors. */
 static void test_the_solved_middle_key_is_the_thesis_exaggeration(void **state)
 {
@@ -241,7 +241,7 @@ static void test_the_solved_middle_key_is_the_thesis_exaggeration(void **state)
     }
 }
 
-/* At its own progress, each key of this graph has a smaller weight than another key. The linear
+/* In this graph, each key has a smaller weight at its own progress than another key. The linear
  * equations for the shapes can then be solved only if rows are exchanged (pivoting). */
 static void test_shapes_are_solved_for_any_dominant_key(void **state)
 {
@@ -304,8 +304,9 @@ static void test_a_solved_curve_does_not_jump_at_a_key(void **state)
     }
 }
 
-/* With solved shapes and smooth curves, three keys are blended at a time, which bends the path of a
- * vertex. Two keys can only give a straight path (figures 3.2 and 4.15 of the 2005 thesis). */
+/* With solved shapes and smooth curves, three keys are blended at the same time, which bends the
+ * path of a vertex. Two keys would give a straight path (figures 3.2 and 4.15 of the 2005
+ * thesis). */
 static void test_only_solved_smooth_curves_show_a_third_key_between_two(void **state)
 {
     (void)state;
@@ -314,7 +315,8 @@ static void test_only_solved_smooth_curves_show_a_third_key_between_two(void **s
     struct morph_rig rig = rig_of(&graph, 3);
     morph_weights(&rig, 0.25f, weights);
     assert_true(weights[0][2] < -0.02f);
-    /* With straight curves, only two keys are blended at a time, although the shapes are solved. */
+    /* With straight curves, only two keys are blended at the same time, although the shapes are
+     * solved. */
     graph.line = GRAPH_STRAIGHT;
     rig = rig_of(&graph, 3);
     morph_weights(&rig, 0.25f, weights);

@@ -1,4 +1,4 @@
-/* test_growth.c -- checks growth curves: the length of a fish at an age, and the age at a
+/* test_growth.c -- checks growth curves, which give the length of a fish at an age and the age at a
  * length. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -17,9 +17,9 @@ static void test_a_hatchling_has_its_true_length(void **state)
     assert_float_equal(growth_length_m(wakin, 0.0f), 0.005f, 1e-6f);
 }
 
-/* The thesis' own example, the bigeye tuna, has a growth curve that was fitted to adults only
- * (L_inf 2.0834 m, k 0.1985 a year, t0 -0.839 years). Without a correction, its hatchlings would be
- * 32 cm long. */
+/* The 2005 thesis uses the bigeye tuna as an example. Its growth curve was fitted only to adults
+ * (L_inf 2.0834 m, k 0.1985 a year, t0 -0.839 years). Without a correction, a hatchling would be 32
+ * cm long. */
 static void test_an_adult_fit_is_corrected_at_hatching_and_kept_for_adults(void **state)
 {
     (void)state;
@@ -37,8 +37,8 @@ static void test_a_goldfish_of_three_months_has_the_length_of_stall_fish(void **
     assert_float_equal(growth_length_m(wakin, 3.0f * 365.25f), 0.21f, 0.005f);
 }
 
-/* Returns the measured growth of the larva of the black conger. The larva grows, shrinks during its
- * metamorphosis to an eel, and grows again. */
+/* Returns the measured growth of a black conger. The larva grows, shrinks during its metamorphosis
+ * to an eel, and then grows again. */
 static struct growth conger_growth(void)
 {
     return (struct growth){ 1.4f,
@@ -90,8 +90,9 @@ static void test_the_table_joins_the_curve_without_a_corner(void **state)
     assert_float_equal(growth_length_m(&conger, 10.0f * 365.25f), 1.10f, 0.02f);
 }
 
-/* After the last measured length, the growth curve is far above and rises steeply. An interpolation
- * that matched the steep slope there would first fall below the previous measured length. */
+/* After the last measured length, the growth curve is much higher and rises steeply. An
+ * interpolation with this steep slope at its end would first fall below the last but one measured
+ * length. */
 static void test_a_table_does_not_fall_before_it_joins_a_steep_curve(void **state)
 {
     (void)state;
@@ -135,7 +136,7 @@ static void test_growth_reports_where_it_is_monotonic(void **state)
 }
 
 /* At the last age of the table, the measured length is above the growth curve. The length must then
- * stay constant until the curve reaches it, and must not fall to the curve. */
+ * stay constant until the growth curve reaches it. It must not fall to the growth curve. */
 static void test_a_fish_ahead_of_its_curve_pauses_and_does_not_shrink(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_lengths.c -- checks the lengths of the fish at known ages and at the stages of the 2005
- * thesis. */
+/* test_lengths.c -- compares the lengths of the fish with known lengths at certain ages, and with
+ * the lengths of the stages in the 2005 thesis. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,9 +11,9 @@
 #include "core/morph/morph.h"
 
 #define YEAR 365.25f
-/* Relative tolerance for a length that a published or fitted curve approximates. */
+/* Relative tolerance for a length that comes from a published or fitted growth curve. */
 #define FITTED 0.10f
-/* Half a unit of the last digit of the lengths in the captions of the thesis. */
+/* Tolerance for the lengths in the captions of the thesis: half a unit of their last digit. */
 #define DRAWN_M 0.00005f
 
 static const struct species_card *card_of(const char *id)
@@ -28,8 +28,8 @@ static const struct species_card *card_of(const char *id)
 }
 
 /* Known lengths from von Bertalanffy growth curves. The curves of bigeye (mebachi) and hirame are
- * published, the others are fits to reports of keepers and anglers. Hirame's published total
- * lengths are multiplied by 0.86 to give standard lengths. */
+ * published. The other curves are fitted to reports of keepers and anglers. Hirame's published
+ * total lengths are multiplied by 0.86 to get standard lengths. */
 static const struct {
     const char *id;
     float age_years, length_m;
@@ -58,9 +58,9 @@ static void test_fish_have_the_known_length_at_their_age(void **state)
     assert_int_equal(missed, 0);
 }
 
-/* Lengths of the stages in chapter 4 of the 2005 thesis: standard lengths for hirame, total lengths
- * otherwise. For example, hirame's first stage has a total length of 11 mm and is 9.5 mm long
- * without its tail. */
+/* Lengths of the stages in chapter 4 of the 2005 thesis. They are standard lengths (without the
+ * tail) for hirame, and total lengths for the others. For example, hirame's first stage has a total
+ * length of 11 mm and a standard length of 9.5 mm. */
 static const struct {
     const char *id;
     float length_mm[3];
@@ -95,15 +95,16 @@ static void test_the_last_key_of_each_fish_is_an_adult(void **state)
     }
 }
 
-/* A plate (page of pictures) in the thesis shows nine larvae and young fish with their lengths, in
- * the order of their growth. */
+/* A page of pictures in the thesis shows nine larvae and young fish with their lengths, in the
+ * order of their growth. */
 static void test_a_conger_grows_shrinks_and_grows_through_all_nine_measured_lengths(void **state)
 {
     (void)state;
     static const float length_mm[] = { 64.0f, 90.5f, 125.5f, 104.5f, 80.4f,
                                        75.0f, 66.5f, 56.0f,  72.5f };
     const struct growth *growth = &card_of("kuroanago")->growth;
-    assert_int_equal(growth->point_count, 10); /* Nine measured points and the hatching. */
+    assert_int_equal(growth->point_count, 10); /* The table has nine measured points and the
+                                                  hatching. */
     float longest = 0.0f;
     for (uint32_t i = 0; i < 9; i++) {
         const float age_days = growth->points[i + 1u].age_days;

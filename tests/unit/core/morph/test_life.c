@@ -1,5 +1,5 @@
-/* test_life.c -- checks the conversions between age, progress (0 .. 1) and length: for a fish that
- * only grows, for one that shrinks for a time, and for a custom size curve. */
+/* test_life.c -- checks the conversions between age, progress (0 .. 1) and length. They are checked
+ * for a fish that only grows, for a fish that shrinks for a time, and for a custom size curve. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,9 +11,9 @@
 
 #define STEPS 1000
 
-/* Returns a card of a conger larva that grows from 64 to 125.5 mm, shrinks to an eel of 56 mm, and
- * grows again. Both the longest and the shortest stage are between two keys, where an interpolation
- * of the keys would miss them. */
+/* Returns the card of a conger. Its larva grows from 64 to 125.5 mm, shrinks to an eel of 56 mm,
+ * and grows again. The longest and the shortest stage are both between two keys, where an
+ * interpolation of the keys would miss them. */
 static struct species_card conger_card(void)
 {
     struct species_card card = {
@@ -133,8 +133,8 @@ static void test_a_length_reached_three_times_gives_the_first_progress(void **st
     const float first = morph_progress(&conger, 0.09f);
     assert_float_equal(life_length_m(&conger, first), 0.09f, 1e-4f);
     assert_true(life_age_days(&conger, first) < 220.0f);
-    /* 60 mm is shorter than the first key (64 mm). The fish first has this length while it shrinks,
-     * between day 260 and day 300. */
+    /* A length of 60 mm is shorter than the first key (64 mm). The fish reaches this length first
+     * while it shrinks, between day 260 and day 300. */
     const float shrunk = morph_progress(&conger, 0.060f);
     assert_float_equal(life_length_m(&conger, shrunk), 0.060f, 1e-4f);
     assert_true(life_age_days(&conger, shrunk) > 260.0f);
@@ -180,28 +180,31 @@ static void test_a_custom_size_curve_replaces_growth(void **state)
     }
     assert_true(morph_progress(&card, 0.009f) == 0.0f);
     assert_true(morph_progress(&card, 0.21f) == 1.0f);
-    /* A custom size curve must not change the ages. */
+    /* The custom size curve must not change the ages. */
     assert_true(life_age_days(&card, 1.0f) == card.key_age_days[3]);
 }
 
-/* The growth curve contradicts the lengths of these keys. A species should not be defined so, but
- * age must nevertheless rise with progress. */
+/* The lengths of these keys contradict the growth curve. Although no species should be defined like
+ * this, the age must rise with the progress. */
 static void test_age_rises_even_with_a_wrong_key_age(void **state)
 {
     (void)state;
     struct species_card card = species_wakin.card;
-    /* At this age the growth curve gives 74 mm, but the key has 45 mm. */
+    /* At this age the growth curve gives 74 mm, but the length of the key is 45 mm. */
     card.key_age_days[3] = 200.0f;
     assert_age_rises_and_leads_back(&card);
     assert_a_key_stands_at_its_age_and_length(&card);
-    card.key_length_m[3] = 0.030f; /* A length below that of the previous key. */
+    /* This length is below that of the previous key. */
+    card.key_length_m[3] = 0.030f;
     assert_age_rises_and_leads_back(&card);
-    card.key_length_m[3] = 0.300f; /* A length above that of the next key. */
+    /* This length is above that of the next key. */
+    card.key_length_m[3] = 0.300f;
     assert_age_rises_and_leads_back(&card);
 }
 
 /* When a user begins to edit the size in the growth lab, the lab creates a custom curve through the
- * keys. This curve must equal the growth curve, so that the size does not change at once. */
+ * keys. This curve must equal the growth curve, because the size of the fish would otherwise
+ * jump. */
 static void test_a_custom_size_curve_through_the_keys_equals_growth(void **state)
 {
     (void)state;
@@ -256,7 +259,8 @@ static void test_a_constant_section_of_a_custom_size_curve_gives_its_start(void 
     card.scale_knots[3] = (struct scale_knot){ 1.0f, 0.04f };
     assert_true(morph_progress(&card, 0.01f) == 0.0f);
     assert_float_equal(morph_progress(&card, 0.04f), 0.75f, 1e-6f);
-    /* Now only the section between the knots 1 and 2 has the constant length 0.01 m. */
+    /* After these changes, only the section between the knots 1 and 2 has the constant length 0.01
+     * m. */
     card.scale_knots[0].length_m = 0.005f;
     card.scale_knots[2].length_m = 0.01f;
     assert_float_equal(morph_progress(&card, 0.01f), 0.5f, 1e-6f);

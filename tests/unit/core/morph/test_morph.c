@@ -59,9 +59,9 @@ static void test_weights_are_never_negative_and_sum_to_one(void **state)
     }
 }
 
-/* Checks a graph in which three keys have a weight at the same time. The weights in the middle, 15,
- * 70 and 15 %, are those of the second graph of the thesis (section 4.2), in which the middle key
- * never has a weight above 70 %. */
+/* Checks a graph in which three keys have a weight at the same time. The weights in the middle are
+ * 15, 70 and 15 %, as in the second graph of the thesis (section 4.2). In that graph the weight of
+ * the middle key is never above 70 %. */
 static void test_a_graph_of_three_keys_keeps_its_sum_between_knots(void **state)
 {
     (void)state;
@@ -103,13 +103,15 @@ static void test_progress_rises_with_length_and_stops_at_the_keys_ends(void **st
 static void test_lengths_between_keys_are_interpolated_geometrically(void **state)
 {
     (void)state;
-    /* 10 mm is the geometric mean of the larva (5 mm) and the aoko (20 mm), the first two of five
-     * keys. Half of the way to the second key is a progress of 0.125. */
+    /* The length of 10 mm is the geometric mean of the larva (5 mm) and the aoko (20 mm), which are
+     * the first two of five keys. The fish is therefore half way to the second key, which is a
+     * progress of 0.125. */
     assert_float_equal(morph_progress(&wakin->card, 0.010f), 0.125f, 1e-5f);
 }
 
 /* A normal is encoded as a point on an unfolded octahedron with 254 steps in each direction. The
- * test excludes the edge, where two codes give the same normal. */
+ * test excludes the edge of the unfolded octahedron, because two codes give the same normal
+ * there. */
 static void test_a_normal_is_encoded_to_the_nearest_step(void **state)
 {
     (void)state;
@@ -190,8 +192,8 @@ static void assert_no_triangle_is_flipped(const struct species_mesh *mesh, const
     }
 }
 
-/* The body of a wakin (a goldfish breed) becomes deeper from key to key. Therefore a stage between
- * two keys must not have less volume than the stage before. */
+/* The body of a wakin (a goldfish breed) becomes deeper from key to key. No stage may therefore
+ * have less volume than the stage before. */
 static void test_every_stage_between_keys_is_a_complete_fish(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_morph_paint.c -- checks the coats and marks of fish: the area of each kind of mark, and the
- * continuity of the colours. */
+/* test_morph_paint.c -- checks the coats and marks of fish: the area that each kind of mark covers,
+ * and the continuity of the colours. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -34,7 +34,8 @@ static float covered_area(struct species_mark mark)
     return sum / (STEPS * STEPS);
 }
 
-/* Counts how often the mark begins along a path from snout to tail at the girth coordinate `v`. */
+/* Returns how often the mark begins along a path from snout to tail. The path is at the girth
+ * coordinate `v`. */
 static int entered_along(struct species_mark mark, float v)
 {
     int count = 0;
@@ -65,13 +66,13 @@ static void test_the_area_of_spots_follows_their_count_and_radius(void **state)
                               .from = 0.1f,
                               .to = 0.5f,
                               .high = 1.0f };
-    /* Area of one spot as a fraction of the flank, which is 1 long and 0.36 high. */
+    /* Area of one spot, as a fraction of the area of a flank that is 1 long and 0.36 high. */
     const float one = 3.1416f * 0.02f * 0.02f / 0.36f;
     const float ten = covered_area(m);
     m.count = 40;
     m.width = 0.01f;
     const float forty = covered_area(m);
-    /* The tolerance is wide, because the spots have random radii and fill a whole number of
+    /* The tolerance is wide, because the spots have random radii and each fills a whole number of
      * cells. */
     assert_float_equal(ten / one, 10.0f, 3.0f);
     assert_float_equal(forty / one * 4.0f, 40.0f, 10.0f);
@@ -104,7 +105,8 @@ static void test_bars_have_the_given_count_and_slant(void **state)
     };
     assert_int_equal(entered_along(m, RIGHT_FLANK), 4);
     assert_float_equal(cover(m, 0.275f, 0.1f), 1.0f, 1e-3f);
-    m.slant = 0.1f; /* The upper end of the bar is shifted by 0.05 toward the tail. */
+    /* The bar is slanted, so its upper end is shifted by 0.05 toward the tail. */
+    m.slant = 0.1f;
     assert_float_equal(cover(m, 0.275f, 0.02f), 0.0f, 1e-3f);
     assert_float_equal(cover(m, 0.325f, 0.02f), 1.0f, 1e-3f);
     m.low = 0.5f;
@@ -118,7 +120,7 @@ static void test_stripes_run_along_the_flank(void **state)
         .kind = MARK_STRIPES, .count = 3, .width = 0.08f, .to = 1.0f, .low = 0.2f, .high = 0.8f
     };
     assert_int_equal(entered_round(m, 0.5f), 3);
-    /* The path begins inside the stripe, so it never enters the stripe. */
+    /* The path begins inside the stripe, so it does not enter the stripe. */
     assert_int_equal(entered_along(m, RIGHT_FLANK), 0);
     assert_float_equal(cover(m, 0.5f, RIGHT_FLANK), 1.0f, 1e-3f);
 }
@@ -157,7 +159,7 @@ static void test_a_blind_side_is_one_flank_and_its_paired_fins(void **state)
     };
     assert_float_equal(cover(m, 0.5f, RIGHT_FLANK), 1.0f, 1e-3f);
     assert_float_equal(cover(m, 0.5f, LEFT_FLANK), 0.0f, 1e-3f);
-    /* The middle of the back (v = 0) still has the colour of the left flank. */
+    /* On the middle of the back (v = 0), the fish still has the colour of the left flank. */
     assert_float_equal(cover(m, 0.5f, 0.0f), 0.0f, 0.0f);
     assert_float_equal(cover(m, 0.5f, 0.01f), 0.0f, 0.0f);
     /* The colour changes gradually from v = 0.04 to v = 0.10. */
@@ -171,7 +173,8 @@ static void test_a_blind_side_is_one_flank_and_its_paired_fins(void **state)
     assert_float_equal(mark_cover(&m, &point), 0.0f, 1e-3f);
 }
 
-/* Returns the colour difference of two points of a young fish (key 2). */
+/* Returns the difference of the colours at two points of a young fish, which has the shape of key
+ * 2. */
 static float unlike(const struct species *species, struct species_vertex a, struct species_vertex b)
 {
     const float weights[MORPH_KEY_MAX] = { 0.0f, 0.0f, 1.0f };
@@ -186,7 +189,7 @@ static void test_skin_colour_blends_into_the_tail_fin_colour(void **state)
         const struct species_vertex fin = { .u = 0.5f, .part = PART_TAIL };
         const struct species_vertex end = { .u = 1.0f, .v = 0.25f, .part = PART_BODY };
         const struct species_vertex stalk = { .u = 0.95f, .v = 0.25f, .part = PART_BODY };
-        /* A whip tail (MOTION_WING, the rays) has no fin at its end. */
+        /* The whip tail of a ray (MOTION_WING) has no fin at its end, so rays are skipped. */
         if (species_table[i]->card.motion != MOTION_WING) {
             assert_true(unlike(species_table[i], end, fin) <=
                         0.15f * unlike(species_table[i], stalk, fin) + 0.01f);
@@ -235,8 +238,8 @@ static void test_negative_weights_of_solved_shapes_remove_no_colour(void **state
     assert_float_equal(paint_at(&two, weights, &at).colour.y, 1.0f, 1e-4f);
 }
 
-/* Samples points on the whole body of every built-in species at small steps of growth. No colour
- * may change by much in one step. */
+/* Samples points on the whole body of every built-in species at small steps of growth. In one step,
+ * no colour may change by much. */
 static void test_paint_changes_continuously_as_every_species_grows(void **state)
 {
     (void)state;
@@ -263,9 +266,9 @@ static void test_paint_changes_continuously_as_every_species_grows(void **state)
     }
 }
 
-/* Mark number 0 of both coats has the same kind and count, so the two marks are blended as one
- * mark. At half progress, this mark must be half way between its two positions, with full
- * strength. */
+/* In both coats, mark number 0 has the same kind and count, so the two marks are blended to one
+ * mark. At half progress, this mark must be half way between the two positions, and its colour must
+ * have full strength. */
 static void test_a_mark_of_two_keys_moves_and_does_not_fade(void **state)
 {
     (void)state;
@@ -287,7 +290,8 @@ static void test_a_mark_of_two_keys_moves_and_does_not_fade(void **state)
     assert_float_equal(paint_at(&two, weights, &at).colour.x, 1.0f, 1e-3f);
     at.u = 0.25f;
     assert_float_equal(paint_at(&two, weights, &at).colour.x, 0.0f, 1e-3f);
-    /* Marks with different counts are not blended to one mark. Both then have half strength. */
+    /* Marks with different counts cannot be blended to one mark, so each of the two marks has half
+     * strength. */
     two.coats[1].marks[0].count = 2;
     assert_float_equal(paint_at(&two, weights, &at).colour.x, 0.5f, 1e-3f);
 }

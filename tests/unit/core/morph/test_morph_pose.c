@@ -1,5 +1,6 @@
-/* test_morph_pose.c -- checks anchors, the points of the skin to which fins and eyes are attached.
- * Fins must stay on the blended skin, and an eye must move around the head, never through it. */
+/* test_morph_pose.c -- checks anchors, which are the points of the skin to which fins and eyes are
+ * attached. A fin must stay on the blended skin. An eye must move around the head and never through
+ * it. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -50,8 +51,8 @@ static void test_an_eye_moves_around_the_head_and_never_through_it(void **state)
     float dip = 1.0f;
     for (int step = 0; step <= STEPS; step++) {
         shape_at((float)step / STEPS);
-        /* The cross-section of the skin is a polygon with 16 sides. At the middle of a side its
-         * radius is smaller by the factor 0.981. */
+        /* The cross-section of the skin is a polygon with 16 sides, whose radius at the middle of a
+         * side is smaller by the factor 0.981. */
         dip = f_min(dip, from_axis(positions[BARREL_EYE]));
     }
     assert_true(dip > 0.1f * 0.98f + 0.009f);
@@ -66,8 +67,8 @@ static void test_an_eye_moves_around_the_head_and_never_through_it(void **state)
     assert_near(normals[BARREL_EYE], v3(-1.0f, 0.0f, 0.0f), 0.02f);
 }
 
-/* Counter-test: a straight line between the two positions of the eye passes through the head. Thus
- * the previous test would detect such a blend. */
+/* Shows that the previous test would detect a fault: on a straight line between its two positions,
+ * the eye would pass through the head. */
 static void test_a_straight_blend_moves_the_eye_through_the_head(void **state)
 {
     (void)state;
@@ -86,7 +87,8 @@ static void test_a_fin_ray_stays_on_the_skin_while_its_root_moves_forward(void *
         shape_at((float)step / STEPS);
         const vec3 tip = positions[BARREL_RAY];
         const float radius = from_axis(positions[0]);
-        /* Tolerance: two values that are each rounded to a step of the table. */
+        /* Both values are rounded to a step of the table, so the tolerance has room for two
+         * steps. */
         assert_float_equal(tip.y, radius + 0.02f, 4e-5f);
         assert_true(tip.z < before);
         before = tip.z;
@@ -132,8 +134,8 @@ static void test_coordinates_beyond_the_ends_stay_on_the_skin(void **state)
     assert_float_equal(morph_ride(mesh, 3, &pose, 1.2f, 0.1f, false).position.z, 0.5f, 1e-4f);
 }
 
-/* The importer converts an eye into the frame of the skin, and the blended shape converts it back.
- * Both conversions together must not change a point. */
+/* The importer converts an eye to the frame of the skin, and the blended shape converts it back.
+ * The two conversions together must not change a point. */
 static void test_a_frame_of_the_skin_converts_forward_and_back(void **state)
 {
     (void)state;
@@ -149,8 +151,8 @@ static void test_a_frame_of_the_skin_converts_forward_and_back(void **state)
     }
 }
 
-/* Checks the frame (x, y, z) of a patch of skin that faces `normal`. The frame must be orthonormal,
- * x must be the normal, and z must not point forward. */
+/* Checks the frame (axes x, y, z) of a patch of skin whose normal is `normal`. The frame must be
+ * orthonormal, its x axis must be the normal, and its z axis must not point forward. */
 static void assert_a_skin_has_its_turn(vec3 normal)
 {
     for (uint32_t k = 0; k < BARREL_GRID; k++) {
@@ -178,9 +180,9 @@ static void test_every_direction_of_the_skin_has_a_rotation(void **state)
     }
 }
 
-/* The frame's z axis is normally the backward direction along the skin. This direction is
- * undefined for a skin that faces forward (snout) or backward (tail root). The z axis must then
- * point down. */
+/* The z axis of the frame normally points backward along the skin. This direction is undefined on
+ * skin that faces forward (at the snout) or backward (at the tail root). The z axis must then point
+ * down. */
 static void test_a_skin_that_faces_along_the_body_has_a_rotation(void **state)
 {
     (void)state;
@@ -192,8 +194,8 @@ static void test_a_skin_that_faces_along_the_body_has_a_rotation(void **state)
                 1e-5f);
 }
 
-/* -1e-9 of a turn is so close to the seam at 0 that it rounds to a whole turn. The result must be
- * the point on the seam, and not a point of the next ring of the grid. */
+/* The coordinate is 1e-9 of a turn before the seam at 0, so it is rounded to a whole turn. The
+ * result must be the point on the seam, and not a point of the next ring of the grid. */
 static void test_a_point_just_before_the_seam_is_on_the_seam(void **state)
 {
     (void)state;
@@ -214,13 +216,13 @@ static void test_an_anchor_follows_its_own_curve(void **state)
     graph_from_template(&card->curves[1], TEMPLATE_ORDINARY, 3, SIMULTANEOUS_PEAK);
     barrel.anchors[1].u[1] = 0.75f;
     morph_rig_init(&rig, card, TEMPLATE_OWN);
-    /* By the graph of the whole fish, progress 0.25 blends the first two keys. Both have the anchor
-     * at the same place. */
+    /* In the graph of the whole fish, progress 0.25 blends the first two keys. The anchor has the
+     * same place in both keys. */
     shape_at(0.25f);
     assert_float_equal(positions[BARREL_RAY].z, 0.25f, 1e-4f);
     barrel.anchors[1].curve = 1;
-    /* With its own graph (curve 1), the anchor has moved by a quarter of the way to the last
-     * key. */
+    /* The anchor now has its own graph (curve 1), in which it has moved by a quarter of the way to
+     * the last key. */
     shape_at(0.25f);
     assert_float_equal(positions[BARREL_RAY].z, 0.125f, 1e-4f);
 }

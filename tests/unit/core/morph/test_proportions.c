@@ -1,8 +1,6 @@
 /* test_proportions.c -- compares measurements of each key's mesh with known proportions of the real
- * fish.
- *
- * proportions.h has the table of known values. Tolerances are at least 1 % of the length for
- * positions and 10 degrees for angles. */
+ * fish, which are in the table of proportions.h. The tolerances are at least 1 % of the length for
+ * positions, and 10 degrees for angles. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,18 +14,19 @@
 
 #define FLOOR 0.01f
 #define FLOOR_DEG 10.0f
-/* Body coordinate (0 snout, 1 tail root) of the edge of the gill cover. */
+/* Position of the edge of the gill cover along the body (0 is the snout, 1 is the tail root). */
 #define GILL_U 0.30f
-/* Body coordinate at which the caudal peduncle (the narrow part before the tail) begins. */
+/* Position along the body at which the caudal peduncle (the narrow part before the tail) begins. */
 #define STALK_FROM 0.70f
-/* A ray's disc ends and its whip tail begins where the width falls below this fraction of the
- * maximum. */
+/* Fraction of a ray's maximum width. The disc of the ray ends and its whip tail begins where the
+ * width falls below this fraction. */
 #define DISC_END 0.15f
-/* Distance from the snout at which the opening angle of a ray's outline is measured. */
+/* Distance from the snout, in lengths, at which the opening angle of a ray's outline is
+ * measured. */
 #define SNOUT_Z 0.20f
 
-/* A fish to be measured: one key of the detailed mesh with its snout at z = 0. `unit` is its
- * length, by which all values are divided. */
+/* A fish to be measured: one key of the detailed mesh, with its snout at z = 0. All values are
+ * divided by the fish's length `unit`. */
 struct specimen {
     const struct species_mesh *mesh;
     uint32_t key;
@@ -129,16 +128,17 @@ static bool of_right_eye(const struct species_vertex *vertex)
     return vertex->part == PART_EYE && vertex->side == SIDE_RIGHT;
 }
 
-/* Returns how far the right eye has moved over the back toward the left side since the first key,
- * in degrees (90 at the midline of the back). Uses the girth coordinate of the eye's anchor. */
+/* Returns by how many degrees the right eye has moved over the back toward the left side since the
+ * first key (90 at the middle of the back). The angle is computed from the girth coordinate of the
+ * eye's anchor. */
 static float turn_deg(const struct specimen *fish, uint8_t anchor)
 {
     const float *round = fish->mesh->anchors[anchor].v;
     return 90.0f * (1.0f - round[fish->key] / round[0]);
 }
 
-/* Measures an eye, a sphere of vertex rings around its line of sight. The diameter and the centre
- * of the widest ring are the eye's size and position. */
+/* Measures an eye, which is a sphere of rings of vertices around its line of sight. The widest ring
+ * gives the diameter and the centre of the eye. */
 static void measure_eye(const struct specimen *fish, float of[FIELD_COUNT])
 {
     const struct species_vertex *vertices = fish->mesh->vertices;
@@ -159,8 +159,8 @@ static void measure_eye(const struct specimen *fish, float of[FIELD_COUNT])
     }
 }
 
-/* Measures the start and the end of a fin's base along the body, and the length of its longest
- * ray. */
+/* Measures where the base of a fin starts and ends along the body, and how long its longest ray
+ * is. */
 static void measure_fin(const struct specimen *fish, uint8_t part, float *start, float *end,
                         float *length)
 {
@@ -194,14 +194,14 @@ static void measure_tail(const struct specimen *fish, float of[FIELD_COUNT])
         }
     }
     of[F_tail] = tip - root;
-    /* The fork is a fraction of the tail's length. The fraction is multiplied by `unit`, because
-     * all values are divided by `unit` later. */
+    /* Depth of the fork as a fraction of the tail's length. The fraction is multiplied by `unit`,
+     * because all values are divided by `unit` later. */
     of[F_fork] = (tip - notch) / (tip - root) * fish->unit;
     of[F_span] = top - bottom;
 }
 
-/* Returns the position behind the widest point at which the body, seen from above, has the given
- * width. */
+/* Returns the position along the body, behind the widest point, at which the body seen from above
+ * has the width `width`. */
 static float narrows_at(const struct specimen *fish, float width)
 {
     uint32_t ring = fish->mesh->grid_rings - 1u;
@@ -226,8 +226,8 @@ static void measure_disc(const struct specimen *fish, float of[FIELD_COUNT])
     of[F_disc] = narrows_at(fish, DISC_END * of[F_width]);
     of[F_whip] = grid(fish, fish->mesh->grid_rings - 1u, 0).z - of[F_disc];
     if (of[F_whip] > 0.0f) {
-        /* The position of the sting is a fraction of the whip tail. It is multiplied by `unit`,
-         * because all values are divided by `unit` later. */
+        /* Position of the sting as a fraction of the whip tail. The fraction is multiplied by
+         * `unit`, because all values are divided by `unit` later. */
         of[F_sting] = (of[F_dorsal_start] - of[F_disc]) / of[F_whip] * fish->unit;
     }
 }
@@ -256,8 +256,7 @@ static void measure(const struct specimen *fish, float of[FIELD_COUNT])
     }
 }
 
-/* Returns how many known values `fish` does not match, and prints each of them if `tell` is
- * true. */
+/* Returns how many known values `fish` misses. Prints each missed value if `tell` is true. */
 static uint32_t count_missed(const struct known *known, const struct specimen *fish, bool tell)
 {
     float of[FIELD_COUNT];
@@ -333,8 +332,8 @@ static void test_ray_has_the_proportions_of_a_stingray(void **state)
     check_species("ray", 2);
 }
 
-/* Checks that the comparison can fail: a fish made 40 % deeper must miss at least one value, and a
- * fish made 40 % shorter at least three. */
+/* Shows that the comparison can fail. A fish that is made 40 % deeper must miss at least one value,
+ * and a fish that is made 40 % shorter must miss at least three. */
 static void test_the_check_detects_a_fish_out_of_proportion(void **state)
 {
     (void)state;

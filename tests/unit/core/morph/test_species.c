@@ -9,13 +9,14 @@
 
 #include "core/morph/morph.h"
 
-/* Ratio of total length to standard length (without the tail fin) of a goldfish. */
+/* Ratio of the total length of a goldfish to its standard length, which excludes the tail fin. */
 #define TOTAL_PER_STANDARD 1.27f
 #define DEPTH_TOLERANCE 0.05f
-/* Tolerance for the symmetry of both flanks. The far mesh has large cells, and both flanks are cut
- * into triangles in the same direction, so their fin roots differ slightly. */
+/* Tolerance for the symmetry of the two flanks. The mesh for distant fish has large cells, and both
+ * flanks are cut into triangles in the same direction. The fin roots of the two flanks therefore
+ * differ slightly. */
 #define ROOT_APART 1e-3f
-#define COUNT (1.0f / 32767.0f) /* One step of the coordinates in the tables. */
+#define COUNT (1.0f / 32767.0f) /* One step of the coordinates in the tables of the mesh. */
 
 static const struct species *const wakin = &species_wakin;
 
@@ -64,7 +65,8 @@ static void each_shape(void (*check)(const struct shape *shape))
 
 struct face {
     vec3 corner[3];
-    vec3 twice_area; /* Normal of the face, which points outward. Its length is twice the area. */
+    /* Normal of the face. It points outward, and its length is twice the area of the face. */
+    vec3 twice_area;
     uint8_t part;
 };
 
@@ -158,8 +160,9 @@ static void test_no_triangle_is_degenerate_in_any_key(void **state)
     each_shape(check_area);
 }
 
-/* Wrong winding of the triangles would give a negative volume. A hole would give a volume far from
- * that of an ellipsoid of this size, about 0.015. */
+/* If the triangles were wound in the wrong direction, the volume would be negative. If the mesh had
+ * a hole, the volume would differ much from that of an ellipsoid of this size, which is about
+ * 0.015. */
 static void check_volume(const struct shape *shape)
 {
     float volume = 0.0f;
@@ -230,8 +233,7 @@ static void test_the_stages_have_the_depth_of_goldfish_of_their_length(void **st
 {
     (void)state;
     const float depth_per_standard[] = { 0.0f, 0.31f, 0.35f, 0.37f, 0.41f };
-    /* The larva (key 0) is not compared, because its tail fin is too short for
-     * TOTAL_PER_STANDARD. */
+    /* The larva (key 0) is skipped, because its tail fin is too short for TOTAL_PER_STANDARD. */
     for (uint32_t key = 1; key < 5; key++) {
         const float depth = body_depth(shape_of(wakin, 0, key)) * TOTAL_PER_STANDARD;
         assert_float_equal(depth, depth_per_standard[key], DEPTH_TOLERANCE * depth);
@@ -250,8 +252,8 @@ static float width_from_above(const struct shape *shape, uint8_t part)
     return right - left;
 }
 
-/* Returns the area of `part` that is visible from the direction `eye`. Fins are drawn from both
- * sides, so only the triangles that face the eye count. */
+/* Returns the area of `part` that is visible from the direction `eye`. Only the triangles that face
+ * the eye count. This is enough, because fins have triangles on both sides. */
 static float seen_area(const struct shape *shape, uint8_t part, vec3 eye)
 {
     float area = 0.0f;
@@ -267,8 +269,8 @@ static float seen_area(const struct shape *shape, uint8_t part, vec3 eye)
 static void check_fins_from_above(const struct shape *shape)
 {
     if (shape->key == 0) {
-        /* The tail of a larva is a flat fold. No larva swims in the kiosk's tanks, so the larva is
-         * not checked. */
+        /* The larva is skipped, because its tail is a flat fold, and no larva swims in the kiosk's
+         * tanks. */
         return;
     }
     const vec3 side = v3(1.0f, 0.0f, 0.0f);
@@ -281,8 +283,8 @@ static void check_fins_from_above(const struct shape *shape)
                 width_from_above(shape, PART_BODY) + 0.04f);
 }
 
-/* A flat horizontal tail would look like a line from the side, and a flat vertical tail from above.
- * The tail of each fish must be visible from all these directions. */
+/* A flat horizontal tail would look like a line from the side, and a flat vertical tail would look
+ * like a line from above. The tail of each fish must be visible from all these directions. */
 static void test_tail_and_pectorals_are_visible_from_above_and_from_each_slant(void **state)
 {
     (void)state;

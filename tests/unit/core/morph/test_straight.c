@@ -73,9 +73,9 @@ static void test_masks_are_those_of_the_whole_fish(void **state)
     assert_int_equal(out.lod[0].vertices[3].mask[2], 0);
 }
 
-/* The tip of a fin is 0.4 above its anchor, and the anchor is on the back at 0.2, so the tip is at
- * 0.6. The mesh's coordinates reach only to 0.5. Without anchors, the converted mesh needs a reach
- * of 1. */
+/* The tip of the fin is 0.4 above its anchor, and the anchor is on the back at 0.2, so the tip is
+ * at 0.6. The coordinates of the original mesh reach only to 0.5. Because the converted mesh has no
+ * anchors, its coordinates must reach to 1. */
 static void test_distant_points_on_anchors_widen_the_bounds(void **state)
 {
     (void)state;
@@ -83,9 +83,10 @@ static void test_distant_points_on_anchors_widen_the_bounds(void **state)
         barrel.species.lod[lod].reach = 0.5f;
     }
     for (uint32_t key = 0; key < 3; key++) {
-        /* With half the reach, a stored coordinate stands for half the distance. x and y are
-         * doubled to keep their size. z is not doubled, so the barrel becomes half as long, but z
-         * is made even: the conversion to a reach of 1 can then halve it without rounding. */
+        /* If the reach is halved, a stored coordinate stands for half the distance. x and y are
+         * doubled, so that the size in these directions stays the same. z is not doubled, so the
+         * barrel becomes half as long. z is made even, because the conversion to a reach of 1 can
+         * then halve it without rounding. */
         for (uint32_t i = 0; i < BARREL_VERTICES; i++) {
             struct species_point *p = &barrel.points[key][i];
             p->x = (int16_t)(p->x * 2);
@@ -154,7 +155,7 @@ static void test_the_thesis_method_uses_its_three_keys_and_its_template(void **s
 }
 
 /* The thesis shifts the growth curve so that the length at hatching is right (equation 3.3 in
- * section 3.2). Its method ignores the lengths measured later. */
+ * section 3.2). The method of the thesis ignores lengths that were measured later. */
 static void test_the_thesis_method_uses_the_lengths_of_its_shifted_curve(void **state)
 {
     (void)state;
@@ -165,11 +166,12 @@ static void test_the_thesis_method_uses_the_lengths_of_its_shifted_curve(void **
         assert_float_equal(life_length_m(&out.card, progress) / expected, 1.0f, 1e-4f);
     }
     assert_float_equal(out.card.key_length_m[0], 0.01f, 1e-7f);
-    /* The key has 80 mm in the species, but the thesis' curve gives 55.5 mm at that age. */
+    /* In the species the length of this key is 80 mm, but the thesis' growth curve gives 55.5 mm at
+     * its age. */
     assert_float_equal(out.card.key_length_m[2], 0.0555f, 1e-4f);
     const struct growth bigeye = { 2.0834f, 0.1985152f, -0.839f, 0.35f, 1, { { 0.0f, 0.003f } } };
-    /* At one year this curve gives 63.7 cm before the shift (the value in the thesis) and 37.8 cm
-     * after it. */
+    /* At the age of one year, this growth curve gives 63.7 cm before the shift, as the thesis
+     * states, and 37.8 cm after it. */
     const struct growth shifted = growth_shifted(&bigeye);
     assert_float_equal(growth_length_m(&shifted, 0.0f), 0.003f, 1e-6f);
     assert_float_equal(growth_length_m(&shifted, 365.25f), 0.378f, 0.001f);

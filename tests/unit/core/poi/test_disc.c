@@ -1,5 +1,5 @@
-/* test_disc.c -- checks the forces on a tilted disc in water: drag, lift and added mass. Also
- * checks the immersed fraction of the disc. */
+/* test_disc.c -- checks the forces on a tilted disc in water: drag, lift and added mass. Checks
+ * also which fraction of the disc is immersed. */
 #include "tests/unit/support/poi_fixture.h"
 
 #define RADIUS_M 0.040f

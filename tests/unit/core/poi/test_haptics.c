@@ -1,12 +1,13 @@
-/* test_haptics.c -- checks the force feedback of a poi (the paper scoop): forces from water,
- * weight, fish, floor, walls and tears. */
+/* test_haptics.c -- checks the force feedback of a poi (the paper scoop). Its forces come from the
+ * water, the weight, fish, the floor, walls and tears. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/base/rng.h"
 
 #define POI_AREA_M2 (F_PI * POI_RADIUS_M * POI_RADIUS_M)
 
-static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
+/* The fixture is static, because the struct is too large for some stacks. */
+static struct poi_fixture fixture;
 
 static float weight_n(void)
 {
@@ -47,8 +48,8 @@ static void test_the_drag_on_the_paper_opposes_a_pull_through_water(void **state
     }
 }
 
-/* An accelerated disc also accelerates 0.171 kg of water (added mass). At 2 m/s^2 this needs 0.34
- * N. The acceleration is so short that the drag stays small. */
+/* An accelerated disc also accelerates 0.171 kg of water (added mass). At 2 m/s^2 this needs a
+ * force of 0.34 N. The motion is so short that the drag stays small. */
 static void test_an_acceleration_under_water_adds_the_force_of_the_added_mass(void **state)
 {
     (void)state;
@@ -58,7 +59,8 @@ static void test_an_acceleration_under_water_adds_the_force_of_the_added_mass(vo
     fixture.hand.angles.roll_rad = fixture.poi.angles.roll_rad = 0.5f * F_PI;
     fixture_wait(&fixture, 0.5f);
     float most_n = 0.0f;
-    /* x = t^2 is an acceleration of 2 m/s^2. After the 12 ticks (0.1 s) the speed is 0.2 m/s. */
+    /* The position x = t^2 has an acceleration of 2 m/s^2. After these 12 ticks (0.1 s) the speed
+     * is 0.2 m/s. */
     for (uint32_t tick = 1; tick <= 12; tick++) {
         const float t = (float)tick * CORE_TICK_S;
         fixture.hand.position_m.x = t * t;
@@ -70,8 +72,8 @@ static void test_an_acceleration_under_water_adds_the_force_of_the_added_mass(vo
     assert_true(most_n - drag_n < 0.36f);
 }
 
-/* Returns the torque in N m while the poi turns about its handle at 10 rad/s, at the given height
- * above the water. */
+/* Returns the torque in N m while the poi turns about its handle at 10 rad/s. The poi is at the
+ * height `height_m` above the water. */
 static float turn_torque_n_m(float height_m)
 {
     fixture_init(&fixture, 4, 1);
@@ -85,8 +87,8 @@ static float turn_torque_n_m(float height_m)
     return fixture.force.torque_n_m.z;
 }
 
-/* The expected torque at omega = 10 rad/s is (1/2) rho 1.17 (8/15) a^5 omega^2 = 3.2 mN m. The roll
- * turns about -z, so the opposing torque about z is positive. */
+/* The expected torque at omega = 10 rad/s is (1/2) rho 1.17 (8/15) a^5 omega^2 = 3.2 mN m. A roll
+ * turns about -z, so the torque of the water, which opposes the roll, is positive about z. */
 static void test_water_opposes_a_turning_wrist_and_loads_the_paper(void **state)
 {
     (void)state;
@@ -98,8 +100,8 @@ static void test_water_opposes_a_turning_wrist_and_loads_the_paper(void **state)
 
 /* ---- Forces of fish ------------------------------------------------------------------------- */
 
-/* Runs a tick with a tail slap at a point of the paper. The load is set directly, as catch_tick()
- * would compute it. */
+/* Runs a tick with a tail slap at a point of the paper. The load is set directly to what
+ * catch_tick() would compute. */
 static void tick_with_blow(float x_m, float z_m, float force_n)
 {
     const struct poi_grip grip = { fixture.hand, 1 };
@@ -122,8 +124,9 @@ static void test_a_tail_slap_gives_a_force_of_the_same_duration_and_strength(voi
         assert_float_equal(fixture.force.force_n.y - rest.force_n.y, -0.09f, 0.02f);
         assert_float_equal(fixture.force.slap, 0.6f, 1e-5f);
     }
-    /* A load on the right turns the grip to the right. A load nearer to the grip tips it less,
-     * because the lever is shorter (110 mm instead of 130 mm). */
+    /* A load on the right side turns the grip to the right. The load also tips the grip, but by
+     * less than a load in the middle of the ring, because the lever is 110 mm instead of 130 mm
+     * long. */
     assert_float_equal(fixture.force.torque_n_m.z, -0.03f * 0.09f, 2e-4f);
     assert_float_equal(fixture.force.torque_n_m.x - rest.torque_n_m.x, -0.110f * 0.09f, 0.002f);
     tick_with_blow(0.0f, 0.0f, 0.0f);
@@ -141,7 +144,7 @@ static void test_a_carried_fish_adds_its_weight_and_its_slaps_to_the_force(void 
     fixture_dip(&fixture);
     fixture_add_fish(&fixture, v3(0.0f, fixture.poi.position_m.y + 0.03f, 0.0f), 0.05f);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.08f);
-    /* Waits until the water moved by the lift is at rest, so that only the fish changes the
+    /* Waits until the water that the lift has moved is at rest, so that only the fish changes the
      * force. */
     fixture_wait(&fixture, 0.15f);
     assert_int_equal(fixture.poi.carried_count, 1);
@@ -166,13 +169,13 @@ static void test_the_floor_pushes_back_at_the_edge_that_touches(void **state)
     fixture_init(&fixture, 4, 1);
     fixture.has_wrist = 1;
     fixture_move(&fixture, v3(0.0f, -0.07f, 0.0f), 0.2f);
-    /* The target is 1 cm below the lowest possible position of the ring, so the ring rests on the
+    /* This target is 1 cm below the lowest possible position of the ring, so the ring rests on the
      * floor. */
     fixture.hand.position_m.y = -0.155f;
     fixture_wait(&fixture, 1.0f);
     assert_true(fixture.force.force_n.y > 1.0f);
     assert_true(fixture.force.force_n.y < 3.0f);
-    /* Even with a target far below the floor, the force is limited. */
+    /* The force must be limited, even if the target is far below the floor. */
     fixture.hand.position_m.y = -3.0f;
     fixture_wait(&fixture, 0.5f);
     assert_float_equal(fixture.force.force_n.y, POI_FORCE_N_MAX, 0.5f);
@@ -183,7 +186,7 @@ static void test_the_floor_pushes_back_at_the_edge_that_touches(void **state)
     fixture_turn(&fixture, 0.0f, 0.5f, 0.3f);
     fixture.hand.position_m.y = -0.150f;
     fixture_wait(&fixture, 1.0f);
-    /* The floor pushes the right side upward. This is a positive torque about z. */
+    /* The floor pushes the right side of the ring upward, which is a positive torque about z. */
     assert_true(fixture.force.torque_n_m.z > 0.02f);
 }
 
@@ -194,8 +197,8 @@ static void test_a_wall_pushes_back(void **state)
     fixture_move(&fixture, v3(0.0f, -0.07f, 0.0f), 0.2f);
     fixture_move(&fixture, v3(0.43f, -0.07f, 0.0f), 0.2f);
     fixture_wait(&fixture, 0.5f);
-    /* The wall stops the ring 26 mm before the target. The virtual spring between them then pulls
-     * with 5.7 N. */
+    /* The wall stops the ring 26 mm before the target. The virtual spring between ring and target
+     * then pulls with 5.7 N. */
     assert_true(fixture.force.force_n.x < -2.0f);
     assert_true(fixture.force.force_n.x > -7.0f);
 }
@@ -244,8 +247,8 @@ static void test_the_force_is_bounded_for_any_hand_motion(void **state)
     }
 }
 
-/* A frame has two ticks, but the controller gets only one output. The output must contain the
- * stronger slap. */
+/* A frame has two ticks, but the controller gets one output per frame. This output must contain the
+ * stronger of the two slaps. */
 static void test_a_frame_reports_the_strongest_slap_of_its_ticks(void **state)
 {
     (void)state;

@@ -1,7 +1,8 @@
 /* test_jam.c -- checks that neither fish nor another poi block a poi for long.
  *
- * A poi counts as jammed while the player pulls it upward with at least 6.5 N (a target more than 3
- * cm above the ring) but the ring moves at less than 2 cm/s. */
+ * A poi counts as jammed while the player pulls it upward with at least 6.5 N, but the ring moves
+ * at less than 2 cm/s. The force of 6.5 N belongs to a target that is more than 3 cm above the
+ * ring. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,7 +18,8 @@
 
 #define PULL_M 0.03f
 #define STILL_M (0.02f * CORE_TICK_S)
-/* Longest permitted jam: one second. The longest measured jam was 12 ticks (0.1 s). */
+/* Longest permitted jam in ticks (one second). The longest jam that was measured had 12 ticks (0.1
+ * s). */
 #define JAM_TICKS_MAX CORE_TICK_HZ
 
 static struct core core;
@@ -64,7 +66,7 @@ static void open_stall(uint8_t mode, uint32_t players, uint32_t seed)
     }
 }
 
-/* Plays a round of `seconds` and returns the longest jam of any poi in ticks. */
+/* Plays a round of `seconds` seconds. Returns the longest jam of any poi in ticks. */
 static uint32_t longest_jam(uint8_t mode, uint32_t players, uint32_t seed, uint32_t seconds)
 {
     uint32_t held[POI_MAX] = { 0 }, longest = 0, played = 0, dipped = 0;
@@ -113,8 +115,8 @@ static void test_a_jam_of_two_or_four_players_ends_soon(void **state)
 
 /* ---- A heap of fish on the ring ------------------------------------------------------------- */
 
-/* Places the ring 6 cm deep and piles fish from the ring to the surface, above the paper and across
- * the ring's edge. */
+/* Places the ring at a depth of 6 cm. Piles fish up to the surface, above the paper and across the
+ * ring's edge. */
 static void heap(uint32_t seed, float pitch_rad)
 {
     fixture_init(&fixture, 4, seed);
@@ -193,7 +195,7 @@ static void test_two_pois_at_one_place_separate_sideways_or_vertically(void **st
         const float flat_m = v3_length(v3(apart_m.x, 0.0f, apart_m.z));
         assert_true(flat_m > 2.0f * POI_OUTER_RADIUS_M - 0.006f ||
                     f_abs(apart_m.y) > 0.5f * POI_THICKNESS_M);
-        /* Poi 1 stays on the right of poi 0. Otherwise the pois would have passed through each
+        /* Poi 1 must stay on the right of poi 0, because the pois cannot pass through each
          * other. */
         assert_true(apart_m.x > 0.0f);
     }

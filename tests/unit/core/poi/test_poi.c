@@ -6,7 +6,8 @@
 #include "core/poi/poi_fields.h"
 #include "core/tank/water.h"
 
-static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
+/* The fixture is static, because the struct is too large for some stacks. */
+static struct poi_fixture fixture;
 
 static void test_in_air_the_poi_lags_a_moving_hand_by_a_frame_and_a_half(void **state)
 {
@@ -49,7 +50,7 @@ static void test_a_hand_that_shakes_wildly_leaves_the_poi_numerically_stable(voi
     }
 }
 
-/* Moves the poi broadside at a constant speed and returns the steady drag in newtons. */
+/* Moves the poi broadside at a constant speed. Returns the steady drag in N. */
 static float steady_broadside_n(float speed_m_s)
 {
     fixture_init(&fixture, 4, 1);
@@ -78,8 +79,8 @@ static void test_edge_on_drag_on_the_hand_is_almost_zero(void **state)
     assert_true(fixture.force.force_n.x > -0.010f);
 }
 
-/* Turns the player's wrist at 4 rad/s and returns how many seconds the ring is behind it. The wrist
- * turns about the normal of the paper if `about_normal` is set, and rolls otherwise. */
+/* Turns the player's wrist at 4 rad/s. Returns the time in seconds by which the ring lags behind.
+ * If `about_normal` is set, the wrist turns about the normal of the paper, otherwise it rolls. */
 static float turn_lag_s(float height_m, int about_normal)
 {
     fixture_init(&fixture, 4, 1);
@@ -100,7 +101,7 @@ static void test_water_slows_a_ring_that_rolls_and_not_one_that_spins_in_its_pla
     (void)state;
     const float air_s = turn_lag_s(0.10f, 0), water_s = turn_lag_s(-0.075f, 0);
     assert_true(water_s > 1.1f * air_s);
-    /* Added water makes the ring slower by at most 40 % of the lag in air. */
+    /* The water that turns with the ring may increase the lag by at most 40 %. */
     assert_true(water_s < 1.4f * air_s);
     assert_float_equal(turn_lag_s(-0.075f, 1), air_s, 1e-4f);
 }
@@ -114,12 +115,13 @@ static void test_the_force_of_a_poi_at_rest_in_air_is_its_weight(void **state)
     fixture_dip(&fixture);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.2f);
     fixture_wait(&fixture, 0.1f);
-    /* The player also holds the water on the paper and in its sag, at least 3 g. */
+    /* The player also holds the weight of the water on the paper and in its sag, which is at least
+     * 3 g. */
     assert_true(fixture.force.force_n.y < -(POI_MASS_KG + 0.003f) * GRAVITY_M_S2);
 }
 
-/* The centre of the ring is 13 cm from the grip, so its weight causes a torque about x. A fish on
- * the right side also causes a torque about z. */
+/* The centre of the ring is 13 cm from the grip, so the weight of the ring causes a torque about x.
+ * A fish on the right side also causes a torque about z. */
 static void test_the_load_of_the_fish_adds_a_torque_about_the_grip(void **state)
 {
     (void)state;
@@ -128,7 +130,7 @@ static void test_the_load_of_the_fish_adds_a_torque_about_the_grip(void **state)
     const float weight_n = POI_MASS_KG * GRAVITY_M_S2;
     assert_float_equal(fixture.force.torque_n_m.x, -0.130f * weight_n, 0.001f);
     assert_float_equal(fixture.force.torque_n_m.z, 0.0f, 1e-5f);
-    /* Sets the fish's load directly, as catch_tick() would compute it. */
+    /* The load of the fish is set directly to what catch_tick() would compute. */
     fixture.poi.carried_kg = 0.003f;
     fixture.poi.loads[0] = (struct sheet_load){ 0.03f, 0.0f, 0.02f, -0.003f * GRAVITY_M_S2 };
     fixture.poi.load_count = 1;
@@ -168,14 +170,14 @@ static void test_a_ring_outside_the_tank_lands_on_the_rim_of_the_wall(void **sta
     fixture_move(&fixture, v3(0.50f, -0.10f, 0.0f), 0.5f);
     fixture_wait(&fixture, 1.0f);
     assert_true(fixture.poi.position_m.x > 0.45f);
-    /* The target is outside the tank and below its rim. The rim is 5 cm above the water, so the poi
-     * rests on the rim. */
+    /* The target is outside the tank and below the tank's rim. The rim is 5 cm above the water, so
+     * the poi must rest on the rim. */
     assert_true(fixture.poi.position_m.y > 0.05f);
 }
 
-/* Runs a tick in which the ring must move by less than 40 mm. A spring force of at most 20 N gives
- * a speed of 3.5 m/s, which is 29 mm per tick. The rest allows for contact with floor, rim and
- * walls while the wrist turns. */
+/* Runs a tick in which the ring must move by less than 40 mm. The spring force of at most 20 N
+ * gives a speed of 3.5 m/s, which is 29 mm per tick. The other 11 mm allow for contact with the
+ * floor, the rim and the walls while the wrist turns. */
 static void tick_without_jump(void)
 {
     const vec3 before_m = fixture.poi.position_m;
@@ -262,7 +264,7 @@ static void test_only_the_submerged_part_of_the_paper_gets_wet(void **state)
     (void)state;
     fixture_init(&fixture, 6, 1);
     fixture.hand.angles.roll_rad = fixture.poi.angles.roll_rad =
-        0.5f * F_PI; /* Rolled by 90 degrees, so that the right edge is the lowest. */
+        0.5f * F_PI; /* Rolls the poi by 90 degrees, so that its right edge is the lowest. */
     fixture_move(&fixture, v3(0.0f, 0.0f, 0.0f), 0.2f);
     fixture_wait(&fixture, 3.0f);
     const uint32_t row = SHEET_SIDE / 2u * SHEET_SIDE;
@@ -291,8 +293,8 @@ static void test_a_broadside_lift_tears_wet_grade_6_at_1_m_s_and_not_slowly(void
     assert_int_equal(slow, 40);
 }
 
-/* Sweeps the poi 55 cm through the water with the paper rolled by `roll_rad`. Returns the fraction
- * of the paper that is left. */
+/* Sweeps the poi by 55 cm through the water. The paper is rolled by `roll_rad`. Returns the
+ * fraction of the paper that is left. */
 static float left_after_sweep(float roll_rad, float speed_m_s, uint32_t seed)
 {
     fixture_init(&fixture, 6, seed);
@@ -337,8 +339,8 @@ static void test_a_level_poi_keeps_its_pool_and_a_tilted_one_spills_it(void **st
     fixture_init(&fixture, 4, 1);
     fixture_dip(&fixture);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.3f);
-    /* Just after the lift, drag still pulls the paper down, so that it holds more water than at
-     * rest. */
+    /* Just after the lift, the drag of the lift still pulls the paper down. The paper therefore
+     * holds more water than at rest. */
     const float carried = fixture.poi.water_kg;
     fixture_wait(&fixture, 1.0f);
     const float level = fixture.poi.water_kg, pool = fixture.poi.pool_kg;

@@ -1,9 +1,10 @@
 /* test_poi_blocked.c -- tests the ring of a poi while fish block it and after they release it. */
 #include "tests/unit/support/poi_fixture.h"
 
-static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
+/* The fixture is static, because the struct is too large for some stacks. */
+static struct poi_fixture fixture;
 
-/* Runs a tick in which fish prevent any motion of the ring. */
+/* Runs a tick in which fish hold the ring, so that it cannot move. */
 static void tick_held(void)
 {
     const struct poi_grip grip = { fixture.hand, 1 };
@@ -15,8 +16,8 @@ static void tick_held(void)
     poi_apply_reaction(&fixture.poi, &ring);
 }
 
-/* The player's target moves for 0.8 s while the ring is blocked, and for another 0.5 s after the
- * release. The ring must catch up with a limited speed. */
+/* The player's target moves for 0.8 s while the ring is blocked, and for 0.5 s more after the ring
+ * is released. The ring must catch up with the target at a limited speed. */
 static void test_a_released_ring_follows_the_hand_without_overspeed(void **state)
 {
     (void)state;
@@ -25,7 +26,7 @@ static void test_a_released_ring_follows_the_hand_without_overspeed(void **state
         const float hand_m_s = hands_m_s[i / 2u];
         fixture_init(&fixture, 5, 1);
         fixture.has_wrist = 1;
-        /* In every second run of this loop the ring has no paper and therefore almost no drag. */
+        /* In every second pass of this loop the ring has no paper, and therefore almost no drag. */
         if (i % 2u == 1u) {
             memset(fixture.poi.sheet.state, CELL_HOLE, sizeof fixture.poi.sheet.state);
             fixture.poi.sheet.paper_cells = 0;
@@ -64,7 +65,7 @@ static void test_a_pull_at_a_blocked_ring_does_not_load_the_paper(void **state)
         }
         assert_true(f_abs(fixture.poi.pressure_pa) < 1.0f);
         assert_float_equal(sheet_left(&fixture.poi.sheet), 1.0f, 0.0f);
-        /* From here on the ring is no longer blocked. */
+        /* From here on, the ring is no longer blocked. */
         fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.22f);
         fixture_wait(&fixture, 0.2f);
         assert_true(fixture.poi.position_m.y > 0.01f);
@@ -72,8 +73,8 @@ static void test_a_pull_at_a_blocked_ring_does_not_load_the_paper(void **state)
     }
 }
 
-/* The player moves the ring broadside under water at 0.3 m/s. A free ring makes the water flow, a
- * blocked ring does not. */
+/* The player moves the ring broadside under water at 0.3 m/s. A ring that can move makes the water
+ * flow, but a blocked ring must not. */
 static void test_a_blocked_ring_moves_no_water(void **state)
 {
     (void)state;
@@ -98,16 +99,16 @@ static void test_a_blocked_ring_moves_no_water(void **state)
         if (tick == 23) {
             assert_true(flow_m_s > 0.1f);
         } else if (tick > 24) {
-            /* The obstacle has the velocity that the player requests, but the blocked ring must not
-             * make the water flow. */
+            /* The obstacle has the velocity that the player requests. The ring is blocked, so the
+             * water must not flow. */
             assert_true(v3_length(ring.velocity_m_s) > 0.1f);
             assert_float_equal(flow_m_s, 0.0f, 0.001f);
         }
     }
 }
 
-/* The limit for catching up applies only after a block. Here the player moves the ring 0.5 m back
- * and forth at up to 2 m/s and stops suddenly, without a block. */
+/* The limit for catching up must apply only after a block. In this test nothing blocks the ring.
+ * The player moves it 0.5 m back and forth at up to 2 m/s and stops suddenly. */
 static void test_a_fast_free_hand_motion_keeps_the_same_lag(void **state)
 {
     (void)state;

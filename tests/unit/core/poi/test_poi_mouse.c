@@ -1,11 +1,13 @@
-/* test_poi_mouse.c -- tests that a mouse, which moves in whole pixels, loads the paper hardly more
- * than a smooth motion. */
+/* test_poi_mouse.c -- tests that the motion of a mouse loads the paper hardly more than a smooth
+ * motion, although a mouse moves in whole pixels. */
 #include "tests/unit/support/poi_fixture.h"
 
-static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
+/* The fixture is static, because the struct is too large for some stacks. */
+static struct poi_fixture fixture;
 
 #define SCREEN_PX 1280.0f
-#define VIEW_M 0.95f /* Width in metres of the part of the tank that the screen shows. */
+/* Width of the visible part of the tank, in metres. */
+#define VIEW_M 0.95f
 
 static float whole_pixel(float at_m)
 {
@@ -13,8 +15,8 @@ static float whole_pixel(float at_m)
     return pixel_m * f_floor(at_m / pixel_m + 0.5f);
 }
 
-/* Moves the poi by 0.4 m. If `by_mouse` is set, the position is rounded to pixels at 60 Hz and
- * interpolated linearly to 120 Hz. */
+/* Moves the poi by 0.4 m. If `by_mouse` is set, the position is rounded to whole pixels at 60 Hz
+ * and interpolated linearly to 120 Hz, as the kiosk does with a mouse. */
 static void glide(float speed_m_s, float course_rad, float roll_rad, int by_mouse)
 {
     fixture_init(&fixture, 4, 3);
@@ -40,15 +42,15 @@ static void glide(float speed_m_s, float course_rad, float roll_rad, int by_mous
         }
         fixture_tick(&fixture);
         if (tick == ticks / 3u) {
-            /* The measurement begins here, so that it excludes the first step of the mouse, from
-             * the exact start position to a whole pixel. */
+            /* Starts the measurement here. The first step of the mouse, from the exact start
+             * position to a whole pixel, is therefore excluded. */
             fixture.tension_max_n_m = fixture.tension_sum_n_m = 0.0f;
         }
     }
 }
 
-/* Returns by which fraction the paper's maximum tension with the mouse exceeds that of the smooth
- * motion. */
+/* Returns the fraction by which the maximum tension of the paper is higher with the mouse than with
+ * the smooth motion. */
 static float excess_strain(float speed_m_s, float course_rad, float roll_rad)
 {
     glide(speed_m_s, course_rad, roll_rad, 0);
@@ -77,9 +79,9 @@ static void test_whole_pixel_mouse_motion_loads_the_paper_like_the_smooth_path(v
     assert_grain(0.30f, 0.05f);
 }
 
-/* At 0.15 m/s the poi moves about 3.4 pixels per frame, which are rounded to 3 or 4. The drag grows
- * with the square of the speed, so its maximum is higher than for a smooth motion. A filter would
- * remove this, but would add lag. */
+/* At 0.15 m/s the poi moves by about 3.4 pixels per frame, which are rounded to 3 or 4. The drag
+ * grows with the square of the speed, so its maximum is higher than with a smooth motion. A filter
+ * would avoid this, but would add lag. */
 static void test_slower_mouse_motion_adds_at_most_an_eighth_of_the_strain(void **state)
 {
     (void)state;

@@ -1,8 +1,9 @@
-/* test_poi_wrist.c -- tests the automatic turn of the poi over its bowl, and that the ring does not
- * enter the bowl's hull. */
+/* test_poi_wrist.c -- tests that the poi turns automatically over its bowl, and that the ring does
+ * not enter the bowl's hull. */
 #include "tests/unit/support/poi_fixture.h"
 
-static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
+/* The fixture is static, because the struct is too large for some stacks. */
+static struct poi_fixture fixture;
 
 static void test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back(void **state)
 {
@@ -16,7 +17,7 @@ static void test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back(vo
     fixture_wait(&fixture, 1.0f);
     const struct basis over = vec_basis_from_angles(fixture.poi.angles);
     assert_float_equal(f_acos(over.up.y), 55.0f * F_DEG, 0.02f);
-    /* The bowl is on the right, so the right edge of the poi is lowered. */
+    /* The bowl is on the right of the poi, so the right edge of the poi must be lowered. */
     assert_true(over.up.x > 0.8f);
     const float low_m = fixture.poi.position_m.y - POI_OUTER_RADIUS_M * f_sin(55.0f * F_DEG);
     assert_true(low_m > fixture.bowl.position_m.y);
@@ -41,7 +42,7 @@ static void test_an_empty_poi_does_not_turn_over_the_bowl(void **state)
     fixture_wait(&fixture, 1.0f);
     assert_float_equal(tilt_rad(), 55.0f * F_DEG, 0.02f);
     fixture.laden = 0;
-    /* Without a fish, the poi turns back to level. */
+    /* The poi no longer carries a fish, so it must turn back to level. */
     fixture.poi.laden_ticks = 0;
     fixture_wait(&fixture, 0.6f);
     assert_true(tilt_rad() < 2.0f * F_DEG);
@@ -62,12 +63,12 @@ static void test_the_wrist_never_lowers_the_handle_into_the_bowl(void **state)
             fixture_tick(&fixture);
             const struct basis axes = vec_basis_from_angles(fixture.poi.angles);
             /* The back axis points from the ring along the handle to the grip. The grip must not be
-             * lower than the ring, otherwise the handle would enter the bowl. */
+             * lower than the ring, because the handle would otherwise enter the bowl. */
             assert_true(axes.back.y > -0.01f);
             steepest = f_min(steepest, axes.up.y);
         }
-        /* The tilt must still reach 55 degrees, otherwise the fish would not slide into the
-         * bowl. */
+        /* The tilt must nevertheless reach 55 degrees, because the fish would otherwise not slide
+         * into the bowl. */
         assert_float_equal(steepest, f_cos(55.0f * F_DEG), 0.02f);
     }
 }
@@ -83,7 +84,7 @@ static void test_controller_orientation_disables_the_automatic_turn(void **state
     assert_true(vec_basis_from_angles(fixture.poi.angles).up.y > 0.999f);
 }
 
-/* Returns 1 if the ring's whole centre line is outside the bowl's hull. */
+/* Returns 1 if the whole centre line of the ring is outside the bowl's hull. */
 static int clear_of_bowl(void)
 {
     const struct basis axes = vec_basis_from_angles(fixture.poi.angles);
@@ -104,8 +105,8 @@ static void test_the_ring_does_not_pass_through_the_bowl(void **state)
 {
     (void)state;
     const vec3 bowl = v3(0.30f, 0.0f, 0.15f);
-    /* The player presses the ring onto the bowl from above, then against it from the side, and
-     * finally from below. */
+    /* The player presses the ring onto the bowl: first from above, then from the side, and finally
+     * from below. */
     fixture_init(&fixture, 4, 1);
     fixture_move(&fixture, v3(bowl.x, 0.10f, bowl.z), 0.5f);
     fixture.hand.position_m.y = -0.10f;

@@ -1,5 +1,5 @@
-/* test_pose.c -- checks the conversion between angles and axes, limited turns, and interpolation of
- * poses. */
+/* test_pose.c -- checks how poses are computed: the conversion between angles and axes, limited
+ * turns, and interpolation. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/poi/pose.h"
@@ -43,8 +43,8 @@ static void test_pose_look_faces_forward_with_its_back_up(void **state)
     assert_float_equal(v3_dot(axes.back, forward), -1.0f, 1e-5f);
     assert_true(axes.up.y > 0.99f);
     assert_float_equal(v3_dot(v3_cross(axes.right, axes.up), axes.back), 1.0f, 1e-5f);
-    /* An up direction parallel to the forward direction is not usable. pose_look() must then return
-     * some valid axes. */
+    /* If the up direction is parallel to the forward direction, it cannot be used. pose_look() must
+     * then choose other valid axes. */
     const struct basis odd = pose_look(forward, forward);
     assert_float_equal(v3_dot(v3_cross(odd.right, odd.up), odd.back), 1.0f, 1e-5f);
 }
@@ -54,7 +54,8 @@ static void test_a_turn_takes_the_short_way_and_at_most_one_step(void **state)
     (void)state;
     const struct angles from = { 3.0f, -0.2f, 0.1f }, to = { -3.0f, 0.2f, 0.1f };
     const struct angles half = pose_toward(from, to, 0.5f, 1.0f);
-    /* From yaw 3 rad to -3 rad, the shorter way leads through pi, not through 0. */
+    /* From a yaw of 3 rad to -3 rad, the interpolation must take the shorter way through pi, not
+     * through 0. */
     assert_float_equal(f_abs(half.yaw_rad), F_PI, 1e-5f);
     assert_float_equal(half.pitch_rad, 0.0f, 1e-6f);
     assert_float_equal(half.roll_rad, 0.1f, 1e-6f);
@@ -74,7 +75,7 @@ static void test_interpolation_covers_positions_and_turns_of_any_size(void **sta
     assert_float_equal(middle.position_m.x, 0.2f, 1e-6f);
     assert_float_equal(middle.position_m.y, 0.1f, 1e-6f);
     assert_float_equal(f_abs(middle.angles.yaw_rad), F_PI, 1e-5f);
-    /* pose_between() does not limit the step: half of the way from 0 to 3 rad is 1.5 rad. */
+    /* pose_between() must not limit the step, so half of the way from 0 to 3 rad is 1.5 rad. */
     assert_float_equal(middle.angles.pitch_rad, 1.5f, 1e-5f);
 }
 

@@ -1,10 +1,11 @@
 /* test_surface_disturbance.c -- checks the waves that a ring makes at the water surface, and the
- * drops of a wet poi. */
+ * drops that fall from a wet poi. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/poi/poi.h"
 
-static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
+/* The fixture is static, because the struct is too large for some stacks. */
+static struct poi_fixture fixture;
 
 static void tick_on(void)
 {
@@ -16,7 +17,7 @@ static void tick_on(void)
     }
 }
 
-/* Returns the mean square of the wave height in a rectangle of the tank, in mm^2. */
+/* Returns the mean square of the wave height in the given rectangle of the tank, in mm^2. */
 static float stir_mm2(float low_x, float high_x, float low_z, float high_z)
 {
     float sum = 0.0f;
@@ -31,7 +32,7 @@ static float stir_mm2(float low_x, float high_x, float low_z, float high_z)
     return sum / (float)count;
 }
 
-/* Moves a half-submerged, steeply tilted ring 0.5 m along +x. */
+/* Moves a ring by 0.5 m along +x. The ring is half submerged and tilted steeply. */
 static void sweep_half_submerged(float speed_m_s)
 {
     fixture_init(&fixture, 4, 1);
@@ -58,12 +59,12 @@ static void test_a_ring_faster_than_its_ripples_leaves_them_behind(void **state)
     const float aside = stir_mm2(0.10f, 0.30f, 0.15f, 0.25f);
     assert_true(behind > 0.05f);
     assert_true(ahead < 0.05f * behind);
-    /* The waves form a wedge behind the ring, so there are only small waves at its sides. */
+    /* The waves form a wedge behind the ring, so the waves at its sides must be small. */
     assert_true(aside < 0.2f * behind);
 }
 
-/* A ring that stands on edge crosses the surface at two points and presses the water down there.
- * The surface must stay flat 6 cm away from these points. */
+/* A ring that stands on its edge crosses the surface at two points, where it presses the water
+ * down. The surface must stay flat at a distance of 6 cm from these points. */
 static void test_a_ring_presses_the_surface_at_both_intersection_points(void **state)
 {
     (void)state;

@@ -1,8 +1,6 @@
-/* test_sweep.c -- checks that no contact is missed between two ticks at the fastest motion of a
- * player.
- *
- * At 4 m/s the ring moves 33 mm per tick, which is more than the thickness of a fish and ten times
- * the thickness of the ring. */
+/* test_sweep.c -- checks that no contact between two ticks is missed, even with the fastest motion
+ * of a player. At 4 m/s the ring moves by 33 mm per tick, which is more than the thickness of a
+ * fish and ten times the thickness of the ring. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/base/rng.h"
@@ -10,15 +8,16 @@
 
 #define HAND_M_S 4.0f
 
-static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
+/* The fixture is static, because the struct is too large for some stacks. */
+static struct poi_fixture fixture;
 
 static float drawn(uint32_t trial, uint32_t which, float low, float high)
 {
     return rng_range((struct rng_key){ 17, trial, which, RNG_TEST }, low, high);
 }
 
-/* Starts the ring at `start_m` with the speed `velocity_m_s`. The ring already has the position and
- * the speed of the player's target. */
+/* Starts the ring at `start_m` with the speed `velocity_m_s`, as if it had already followed the
+ * player's target for some time. */
 static void swing_from(vec3 start_m, struct angles angles, vec3 velocity_m_s)
 {
     struct poi *poi = &fixture.poi;
@@ -55,7 +54,7 @@ static void test_a_plunge_at_4_m_s_counts_as_a_dip_and_pushes_back(void **state)
         }
         fixture_wait(&fixture, 0.3f);
         assert_int_equal(fixture.poi.dips, 1);
-        /* To accelerate 0.1 kg of water to 4 m/s within a tick, the disc would need tens of
+        /* In this tick the disc accelerates 0.1 kg of water to 4 m/s, which would need tens of
          * newtons. The simulated force must be at least 5 N. */
         assert_true(slam_n > 5.0f);
         assert_true(felt_n > 5.0f);
@@ -64,7 +63,7 @@ static void test_a_plunge_at_4_m_s_counts_as_a_dip_and_pushes_back(void **state)
 }
 
 /* The poi is in the water for less than 50 ms. Different start heights shift the dip relative to
- * the ticks. A dip deeper than 6 mm must always be counted and wet the paper. */
+ * the ticks. Each dip that is deeper than 6 mm must be counted and must wet the paper. */
 static void test_a_50_ms_movement_through_the_surface_counts_as_a_dip(void **state)
 {
     (void)state;
@@ -97,8 +96,9 @@ static vec3 from_poi(uint32_t fish)
                              v3_sub(fixture.tank.fish[fish].position_m, fixture.poi.position_m));
 }
 
-/* Returns 1 if a fish passed through the paper when it moved from `before` to `after` (in the axes
- * of the poi). A fish that lies on the sagging paper (less than 4 mm below) did not pass. */
+/* Returns 1 if a fish passed through the paper on its way from `before` to `after`, which are
+ * positions in the poi's axes. A fish that lies on the sagging paper, less than 4 mm below the
+ * ring, did not pass. */
 static int passed_through_paper(vec3 before, vec3 after)
 {
     if (before.y * after.y >= 0.0f || f_abs(after.y) < 0.004f) {
@@ -108,7 +108,7 @@ static int passed_through_paper(vec3 before, vec3 after)
     return at.x * at.x + at.z * at.z < 0.9f * POI_RADIUS_M * POI_RADIUS_M;
 }
 
-/* Sweeps the poi once through three fish. Returns the number of fish that were moved by at least 1
+/* Sweeps the poi once through three fish. Returns how many of the fish were moved by at least 1
  * mm. */
 static uint32_t swing_at_fish(uint32_t trial, vec3 velocity_m_s, struct angles angles,
                               vec3 turn_rad_s)
@@ -124,7 +124,7 @@ static uint32_t swing_at_fish(uint32_t trial, vec3 velocity_m_s, struct angles a
         fixture.tank.fish[fish].angles.yaw_rad = drawn(trial, 30 + i, -3.0f, 3.0f);
     }
     vec3 began[3];
-    /* The paper is made indestructible, because fish could pass through a hole. */
+    /* Makes the paper indestructible, because fish could pass through a hole. */
     fixture.poi.damage_immune = 1;
     swing_from(start_m, angles, velocity_m_s);
     for (uint32_t i = 0; i < 3; i++) {

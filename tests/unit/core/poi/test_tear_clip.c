@@ -1,5 +1,5 @@
-/* test_tear_clip.c -- checks the cause of a tear, and the recording that is shown in slow motion.
- */
+/* test_tear_clip.c -- checks the cause of a tear, and the recording of the tear that is shown in
+ * slow motion. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/poi/tear_clip.h"
@@ -16,9 +16,9 @@ static int setup(void **state)
     return 0;
 }
 
-/* Turns the wet poi, which is 6 cm under water, to `pitch_rad`, and moves it by `step_m` in each
- * tick until its paper tears. Returns the cause of the first tear, or TEAR_NONE after a quarter of
- * a second. */
+/* Turns a wet poi, which is 6 cm under water, to the pitch `pitch_rad`. Then moves the poi by
+ * `step_m` in each tick until its paper tears. Returns the cause of the first tear, or TEAR_NONE if
+ * the paper has not torn after a quarter of a second. */
 static uint8_t cause_of_motion(float pitch_rad, vec3 step_m)
 {
     fixture_init(&fixture, 6, 3);
@@ -44,7 +44,7 @@ static void test_paper_that_is_pulled_up_level_tears_because_it_was_flat(void **
 static void test_slanted_paper_tears_because_it_was_fast(void **state)
 {
     (void)state;
-    /* The ring moves at 30 degrees to its plane. */
+    /* In this case the ring moves at an angle of 30 degrees to its plane. */
     assert_int_equal(cause_of_motion(30.0f * F_DEG, v3(0.0f, 0.0f, 0.02f)), TEAR_FAST);
 }
 
@@ -54,8 +54,8 @@ static void test_a_slow_glide_does_not_tear(void **state)
     assert_int_equal(cause_of_motion(30.0f * F_DEG, v3(0.0f, 0.0f, 0.001f)), TEAR_NONE);
 }
 
-/* Sets the state of a poi whose paper tears in this tick. `tension_share` is the tension as a share
- * of the paper's wet strength. */
+/* Sets the state of a poi whose paper tears in this tick. `tension_share` is the tension as a
+ * fraction of the strength of wet paper. */
 static struct poi *torn_by(float tension_share, struct sheet_load load, bool is_slap)
 {
     struct poi *poi = &fixture.poi;
@@ -125,8 +125,8 @@ static void test_the_recording_is_the_second_around_the_first_tear(void **state)
     assert_float_equal(shown.position_m.y, -0.0312f, 1e-4f);
     assert_float_equal(shown.position_m.z, 0.25f, 1e-4f);
     assert_float_equal(v3_length(shown.velocity_m_s), 0.0f, 1e-6f);
-    /* Checks the frame of the tear and the last frame, which stays until the slow motion starts
-     * again. */
+    /* Checks the frame in which the paper tears, and the last frame, which is shown until the slow
+     * motion starts again. */
     tear_clip_show(&clip, 45u * TEAR_CLIP_SHOWN_TICKS, &shown);
     assert_float_equal(shown.time_s, 0.0f, 1e-4f);
     assert_float_equal(shown.position_m.x, 0.300f, 1e-4f);
@@ -168,10 +168,11 @@ static void test_a_frame_has_the_load_of_each_cell_and_the_pose(void **state)
     const uint32_t row = 8u, column = 7u, cell = row * TEAR_SIDE + column;
     const uint32_t at = 2u * row * SHEET_SIDE + 2u * column;
     memset(poi->sheet.stress, 0, sizeof poi->sheet.stress);
-    /* A cell of the clip covers four cells of the paper and shows their highest load. */
+    /* Each cell of the clip covers four cells of the paper, and shows the highest load of these
+     * four. */
     poi->sheet.stress[at + SHEET_SIDE + 1u] = 255;
     poi->sheet.stress[at + 2u] = 128;
-    /* A cell of the clip shows a hole (load 0) if one of its four cells of paper has torn. */
+    /* If one of its four cells has torn, a cell of the clip shows a hole (load 0). */
     poi->sheet.state[at + 4u] = CELL_HOLE;
     poi->angles = (struct angles){ 1.5f, -0.25f, 0.125f };
     poi->strain.cells_torn = 1;

@@ -1,4 +1,4 @@
-/* test_synth.c -- checks that every sound is audible, does not clip and ends. */
+/* test_synth.c -- checks that every sound is audible, does not clip, and ends. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -57,10 +57,10 @@ static void test_each_sound_starts_immediately_does_not_clip_and_ends(void **sta
         synth_init(&synth);
         play(sound, 1.0f, 0.0f);
         synth_render(&synth, heard, FRAMES_MAX);
-        /* The peak is between -21 dB (3000) and -3 dB (24000) of full scale. */
+        /* The peak must be between -21 dB (3000) and -3 dB (24000) of full scale. */
         assert_in_range(peak(heard, FRAMES_MAX, 0), 3000, 24000);
-        /* The peak of the first 50 ms is above 1000, so the sound starts without a noticeable
-         * delay. */
+        /* The peak of the first 50 ms must be above 1000, so that the sound starts without a
+         * noticeable delay. */
         assert_true(peak(heard, SYNTH_RATE_HZ / 20u, 0) > 1000);
         assert_int_equal(active_voices(), 0);
     }
@@ -78,7 +78,7 @@ static void test_each_sound_fades_before_its_voice_is_freed(void **state)
         synth_render(&synth, heard, FRAMES_MAX);
         const int whole = peak(heard, FRAMES_MAX, 0);
         const int last_20_ms = peak(heard + 2u * (length - 960u), 960u, 0);
-        /* The last 20 ms are at least 34 dB quieter (a factor of 50) than the loudest part. */
+        /* The last 20 ms must be at least 34 dB quieter (a factor of 50) than the loudest part. */
         assert_true(last_20_ms * 50 < whole);
     }
 }
@@ -124,7 +124,8 @@ static void test_pan_moves_a_sound_between_the_ears(void **state)
     assert_true(peak(heard, 4800, 0) > 3000);
     assert_int_equal(peak(heard, 4800, 1), 0);
     synth_init(&synth);
-    play(SOUND_DIP, 1.0f, 7.0f); /* A pan of 7 is clamped to 1, so the left channel is silent. */
+    /* The pan of 7 is clamped to 1, so the left channel must be silent. */
+    play(SOUND_DIP, 1.0f, 7.0f);
     synth_render(&synth, heard, 4800);
     assert_int_equal(peak(heard, 4800, 0), 0);
 }
@@ -134,7 +135,7 @@ static void test_many_loud_sounds_stay_inside_the_format(void **state)
     (void)state;
     synth_init(&synth);
     for (uint32_t i = 0; i < 3u * SYNTH_VOICE_MAX; i++) {
-        play(SOUND_START, 9.0f, 0.0f); /* A gain of 9 is clamped to 1. */
+        play(SOUND_START, 9.0f, 0.0f); /* The gain of 9 is clamped to 1. */
     }
     assert_int_equal(active_voices(), SYNTH_VOICE_MAX);
     synth_render(&synth, heard, SYNTH_RATE_HZ / 10u);
@@ -167,7 +168,7 @@ static void test_unknown_and_empty_sounds_are_silent(void **state)
     assert_int_equal(active_voices(), 0);
 }
 
-/* Returns the largest amplitude between two times. */
+/* Returns the largest amplitude between the times `from_ms` and `to_ms`. */
 static int loudest(uint32_t from_ms, uint32_t to_ms)
 {
     const uint32_t per_ms = SYNTH_RATE_HZ / 1000u;
@@ -185,8 +186,8 @@ static void test_the_clappers_sound_twice(void **state)
     assert_true(between * 10 < first);
 }
 
-/* The whistle's pea makes its loudness rise and fall about 36 times a second. The test counts the
- * rises. */
+/* The pea in the whistle makes the loudness rise and fall about 36 times a second. The test counts
+ * the rises. */
 static void test_the_umpires_whistle_flutters(void **state)
 {
     (void)state;
@@ -196,13 +197,15 @@ static void test_the_umpires_whistle_flutters(void **state)
     uint32_t flutters = 0;
     int loud = 0;
     for (uint32_t ms = 200; ms < 480u; ms++) {
-        /* Loudest amplitude within 30 ms, which is about one period of the flutter. */
+        /* Largest amplitude within 15 ms before and after this time, which is about one period of
+         * the flutter. */
         const int most = loudest(ms - 15u, ms + 15u), now = loudest(ms, ms + 1u);
         const int was_loud = loud;
         loud = now * 10 > most * 8 || (loud && now * 10 > most * 5);
         flutters += loud && !was_loud;
     }
-    assert_in_range(flutters, 9, 11); /* In the measured 0.28 s, 36 Hz gives ten rises. */
+    /* At 36 Hz, the 0.28 s that are measured contain ten rises. */
+    assert_in_range(flutters, 9, 11);
 }
 
 static void test_two_dips_sound_slightly_different(void **state)

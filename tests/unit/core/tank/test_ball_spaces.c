@@ -1,6 +1,6 @@
-/* test_ball_spaces.c -- shows why the personal space of a fish is a box (section 3.4 of the 2013
- * thesis). With a ball, two fish that would pass each other several centimetres apart avoid each
- * other. */
+/* test_ball_spaces.c -- shows why the personal space of a fish is a box and not a ball (section 3.4
+ * of the 2013 thesis). With balls, two fish avoid each other even if they would pass several
+ * centimetres apart. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,8 +12,8 @@
 
 static struct tank tank;
 
-/* Returns 1 if one of two fish that swim toward each other avoids the other within four seconds.
- * The courses are `aside_m` apart. */
+/* Lets two fish swim toward each other for four seconds, on courses that are `aside_m` apart.
+ * Returns 1 if one of them gives way. */
 static int gives_way(float aside_m, uint8_t ball_spaces)
 {
     struct tank_config config = tank_config_of(TANK_PRESET_THESIS);
@@ -37,8 +37,8 @@ static int gives_way(float aside_m, uint8_t ball_spaces)
     return 0;
 }
 
-/* By section 3.4 a personal space is a box 3 cm wide. The boxes of two fish overlap at a distance
- * of 2.5 cm between the courses, and not at 3.5 cm. */
+/* By section 3.4 of the thesis, the box of the personal space is 3 cm wide. The boxes of two fish
+ * therefore overlap if the courses are 2.5 cm apart, and do not overlap at 3.5 cm. */
 static void test_fish_with_box_spaces_avoid_a_course_2_5_cm_aside(void **state)
 {
     (void)state;
@@ -46,8 +46,8 @@ static void test_fish_with_box_spaces_avoid_a_course_2_5_cm_aside(void **state)
     assert_false(gives_way(0.035f, 0));
 }
 
-/* The ball around a box of 7 x 4 x 3 cm has a diameter of 8.6 cm, so fish 3.5 cm apart avoid each
- * other. */
+/* The ball around a box of 7 x 4 x 3 cm has a diameter of 8.6 cm. With such balls, fish on courses
+ * 3.5 cm apart avoid each other. */
 static void test_fish_with_ball_spaces_avoid_a_course_that_would_be_clear(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_flow.c -- checks the water flow around a moving disc: its known solutions, its conservation
- * of volume, and its effect on fish. */
+/* test_flow.c -- checks the water flow around a moving disc. The flow must equal known solutions,
+ * conserve volume, and move fish. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +19,7 @@
 
 #define RADIUS_M 0.0465f
 
-/* Returns a horizontal disc deep under water. */
+/* Returns a horizontal disc that is deep under water. */
 static struct obstacle disc(vec3 velocity_m_s)
 {
     return (struct obstacle){ .kind = OBSTACLE_DISC,
@@ -53,8 +53,8 @@ static void test_water_at_the_face_moves_with_the_disc(void **state)
     assert_float_equal(broadside_flow(0.2f, -0.001f, 0.1f).y, 1.0f, 0.02f);
 }
 
-/* On the disc's axis, at distance s (in radii), the flow must equal Lamb's exact solution (2 / pi)
- * (acot s - s / (1 + s^2)). */
+/* On the axis of the disc, at the distance s in units of the radius, the flow must equal Lamb's
+ * exact solution (2 / pi) (acot s - s / (1 + s^2)). */
 static void test_the_flow_on_the_axis_equals_lambs_solution(void **state)
 {
     (void)state;
@@ -63,9 +63,9 @@ static void test_the_flow_on_the_axis_equals_lambs_solution(void **state)
     assert_float_equal(broadside_flow(0.0f, 1.0f, 0.0f).x, 0.0f, 1e-6f);
 }
 
-/* Far from a disc of radius a, the flow is that of a dipole. At distance r let v = (8 / 3) a^3 / (4
- * pi r^3). On the axis the flow is 2 v in the direction of motion, and in the plane of the disc it
- * is v in the opposite direction. */
+/* Far from a disc with the radius a, the flow must be that of a dipole. Let v be (8 / 3) a^3 / (4
+ * pi r^3) at the distance r. The flow is then 2 v on the axis, in the direction of motion. In the
+ * plane of the disc it is v, in the opposite direction. */
 static void test_the_far_flow_is_the_dipole_of_the_added_mass(void **state)
 {
     (void)state;
@@ -82,7 +82,7 @@ static void test_the_flow_diverges_ahead_of_the_disc_and_converges_behind(void *
     (void)state;
     assert_true(broadside_flow(0.7f, 0.4f, 0.0f).x > 0.2f);
     assert_true(broadside_flow(0.7f, -0.4f, 0.0f).x < -0.2f);
-    /* Beside the disc's edge the water flows back, against the disc's motion. */
+    /* Beside the edge of the disc, the water must flow back, against the motion of the disc. */
     assert_true(broadside_flow(1.4f, 0.0f, 0.0f).y < -0.1f);
 }
 
@@ -95,8 +95,8 @@ static void test_the_flow_conserves_volume(void **state)
         const float z = drawn(i, 2, -3.0f, 3.0f);
         const float off = f_sqrt(x * x + z * z) - 1.0f;
         if (f_abs(y) < 0.1f || y * y + off * off < 0.16f) {
-            /* Skips points next to the disc or its edge, where the differences would cross the disc
-             * or the flow is limited. */
+            /* Skips points that are next to the disc or its edge. Near the disc, the finite
+             * differences would cross it, and near its edge the flow is limited. */
             continue;
         }
         const float divergence =
@@ -132,7 +132,8 @@ static void test_a_disc_in_air_or_at_rest_makes_no_flow(void **state)
     assert_float_equal(v3_length(water_flow_m_s(&still, near_disc(0.0f, 0.5f, 0.0f))), 0.0f, 0.0f);
     moving.centre_m.y = 0.01f;
     assert_float_equal(v3_length(water_flow_m_s(&moving, v3(0.0f, -0.01f, 0.0f))), 0.0f, 0.0f);
-    /* With its centre at the surface, the disc is half submerged and moves half of the water. */
+    /* The centre of the disc is at the surface, so the disc is half submerged and moves half as
+     * much water. */
     moving.centre_m.y = 0.0f;
     const float half = water_flow_m_s(&moving, v3(0.0f, -0.02f, 0.0f)).y;
     moving.centre_m.y = -0.5f;
@@ -145,7 +146,7 @@ static void test_torn_paper_reduces_the_flow(void **state)
     (void)state;
     struct obstacle torn = disc(v3(0.0f, 0.3f, 0.0f));
     const float whole_m_s = water_flow_m_s(&torn, near_disc(0.0f, 0.6f, 0.0f)).y;
-    /* A ring without paper is open on 85 % of its area, so it moves 15 % of the water. */
+    /* The ring has no paper. 85 % of its area is open, so it moves 15 % of the water. */
     torn.open = 0.85f;
     assert_float_equal(water_flow_m_s(&torn, near_disc(0.0f, 0.6f, 0.0f)).y, 0.15f * whole_m_s,
                        1e-5f);
@@ -165,8 +166,8 @@ static void test_a_glide_along_the_plane_pushes_by_the_square_of_its_speed(void 
 
 static struct tank tank;
 
-/* Sweeps a ring for one second through a tank of fish that drift, avoid each other and flee.
- * Returns the hash of the tank. */
+/* Sweeps a ring for one second through a tank of fish. The flow pushes the fish, and they avoid
+ * each other and flee. Returns the hash of the tank. */
 static uint64_t hash_after_sweep(uint8_t lanes)
 {
     struct tank_config config = tank_config_of(TANK_PRESET_FESTIVAL);
@@ -197,8 +198,8 @@ static void test_lanes_of_any_width_give_the_same_drift_bit_for_bit(void **state
     }
 }
 
-/* Places a resting fish half a radius ahead of a moving disc. Returns the drift speed that the flow
- * gives the fish in the long run. */
+/* Places a resting fish half a radius ahead of a moving disc. Returns the drift speed that the fish
+ * has in the long run. */
 static vec3 carried_m_s(const struct behavior_params *params)
 {
     const struct obstacle moving = disc(v3(0.0f, 0.08f, 0.0f));
@@ -211,8 +212,8 @@ static vec3 carried_m_s(const struct behavior_params *params)
         around.obstacles = &moving;
         around.obstacle_count = 1;
         fish_behavior_tick(&fish, 0, &around);
-        /* Simulates the tank, which multiplies the push by 1 - PUSH_SHARE = 0.656 at each full
-         * broad-phase query (every fourth tick). */
+        /* Multiplies the push by 1 - PUSH_SHARE = 0.656 in every fourth tick, as the tank does at
+         * each full query of the broad phase. */
         fish.push_m_s = v3_scale(fish.push_m_s, tick % 4u == 0 ? 0.656f : 1.0f);
         fish.gait = GAIT_REST;
     }

@@ -1,5 +1,5 @@
-/* test_many_fish.c -- checks the avoidance rules for a pair of fish whose indices do not fit in 16
- * bits. The benchmark uses so many fish. */
+/* test_many_fish.c -- checks the avoidance rules for a pair of fish whose indices are too large for
+ * 16 bits. Only the benchmark has so many fish. */
 #define TANK_FISH_MAX 131072u
 
 #include <setjmp.h>
@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-/* The source is compiled here again with a larger maximum of fish, because the library is compiled
- * for the kiosk's maximum. */
+/* Compiles avoid.c again with a larger maximum of fish, because the library is compiled with the
+ * kiosk's maximum. */
 #include "core/tank/behavior/avoid.c"
 #include "core/tank/preset.h"
 
@@ -24,8 +24,8 @@ static struct avoid_party swimmer(float z_m, float ahead, uint32_t index)
                                  .index = (fish_index)index };
 }
 
-/* Returns the side to which both fish of a pair turn, from their common random number: +1 is left,
- * -1 is right. */
+/* Returns the side to which both fish of a pair turn: +1 is left, -1 is right. A random number of
+ * the pair selects the side. */
 static float side_of(uint32_t a, uint32_t b, uint32_t tick)
 {
     const struct avoid_party one = swimmer(0.03f, -1.0f, a), other = swimmer(-0.03f, 1.0f, b);

@@ -1,5 +1,5 @@
-/* test_oxygen.c -- checks the oxygen saturation of water by temperature and pressure, and the
- * oxygen consumption of the fish in a tank. */
+/* test_oxygen.c -- checks the oxygen saturation of water, which depends on temperature and
+ * pressure, and the oxygen consumption of the fish in a tank. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -21,8 +21,8 @@ struct row {
 
 static const float row_c[9] = { 0, 5, 10, 15, 20, 25, 28, 30, 35 };
 
-/* Values of Benson & Krause 1984, as in the tables of the USGS, computed in double precision. 980
- * hPa is the pressure in a typhoon, and 960 hPa that in its eye. */
+/* Published values (Benson & Krause 1984, as in the tables of the USGS), computed in double
+ * precision. 980 hPa is the pressure in a typhoon, and 960 hPa is the pressure in its eye. */
 static const struct row rows[] = {
     { 1013.25f, { 14.621f, 12.771f, 11.288f, 10.084f, 9.092f, 8.263f, 7.828f, 7.559f, 6.949f } },
     { 980.0f, { 14.139f, 12.349f, 10.913f, 9.748f, 8.787f, 7.984f, 7.561f, 7.300f, 6.708f } },
@@ -35,7 +35,7 @@ static void test_saturation_equals_the_tables_at_three_pressures(void **state)
     for (size_t r = 0; r < sizeof rows / sizeof rows[0]; r++) {
         for (size_t i = 0; i < 9; i++) {
             const float mg_l = oxygen_saturation_mg_l(row_c[i], rows[r].pressure_hpa);
-            /* The published tables are rounded to 0.001 mg/L. */
+            /* The tolerance allows for the published tables, which are rounded to 0.001 mg/L. */
             assert_float_equal(mg_l, rows[r].mg_l[i], 0.0011f);
         }
     }
@@ -54,7 +54,7 @@ static double exact_exp(double x)
     return sum;
 }
 
-/* Computes the published saturation formula in double precision. */
+/* Computes the published formula of the saturation in double precision. */
 static double exact_saturation(double t, double hpa)
 {
     const double k = t + 273.15, p = hpa / 1013.25;
@@ -80,7 +80,8 @@ static void test_single_precision_has_a_relative_error_below_a_ten_thousandth(vo
     assert_true(worst < 1e-4);
 }
 
-/* Published consumption rates in mg/kg/h. A fish of 5 cm weighs 2.9 g, and one of 4 cm 1.46 g. */
+/* Compares the consumption with published rates in mg/kg/h. A fish of 5 cm weighs 2.9 g, and a fish
+ * of 4 cm weighs 1.46 g. */
 static void test_oxygen_consumption_depends_on_mass_temperature_and_speed(void **state)
 {
     (void)state;
@@ -120,7 +121,7 @@ static const struct shoal official = { 1000, 0.00146f, 88.4f };
 static const struct shoal grown = { 1000, 0.0029f, 88.4f };
 static const struct shoal of_2013 = { 600, 0.0029f, 176.8f };
 
-/* Returns the conditions for the oxygen balance of resting fish at 25 C. */
+/* Returns the conditions for the oxygen balance of fish that rest in water of 25 C. */
 static struct oxygen_balance balance_of(const struct shoal *shoal, float exchange_per_h)
 {
     return (struct oxygen_balance){
@@ -132,8 +133,8 @@ static struct oxygen_balance balance_of(const struct shoal *shoal, float exchang
     };
 }
 
-/* Returns how many hours the oxygen takes to fall from saturation to 2 mg/L; 99 if it stays above 2
- * mg/L for a day. */
+/* Returns the number of hours in which the oxygen falls from saturation to 2 mg/L, or 99 if it
+ * stays above 2 mg/L for a day. */
 static float hours_to_2_mg_l(const struct shoal *shoal, float exchange_per_h)
 {
     const struct oxygen_balance balance = balance_of(shoal, exchange_per_h);
@@ -205,7 +206,7 @@ static struct tank_config official_config(void)
     struct tank_config config = tank_config_of(TANK_PRESET_OFFICIAL);
     config.fish_count = 100;
     config.area_scale = 0.1f;
-    /* With this time compression, an hour of water chemistry passes in ten seconds. */
+    /* Compresses the time so that an hour of water chemistry passes in ten seconds. */
     config.time_compression = 360.0f;
     return config;
 }
@@ -218,8 +219,8 @@ static void run(const struct tank_config *config, uint32_t seconds)
     }
 }
 
-/* At rest the fish would consume 4.2 mg/L per hour. A third of the fish swim and consume 1.5 times
- * as much. The tank must consume the sum. */
+/* If all fish rested, they would consume 4.2 mg/L per hour. A third of the fish swim and consume
+ * 1.5 times as much. The tank must consume the sum. */
 static void test_a_tank_consumes_the_sum_of_its_fish_at_the_compressed_time(void **state)
 {
     (void)state;
@@ -237,8 +238,8 @@ static void test_a_tank_consumes_the_sum_of_its_fish_at_the_compressed_time(void
     assert_float_equal(8.263f - tank.oxygen.dissolved_mg_l, half_an_hour / 180.0f, 0.004f);
 }
 
-/* Time compression applies only to the chemistry of the water. The fish must move exactly as
- * without it. */
+/* The compression of time must apply only to the chemistry of the water. The fish must move exactly
+ * as without it. */
 static void test_time_compression_does_not_change_the_motion_of_fish(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_preset.c -- checks that every tank preset can be played: room for bowls and fish, and a
- * camera that shows the whole tank. */
+/* test_preset.c -- checks that every preset of a tank can be played: it must have room for bowls
+ * and fish, and its camera must show the whole tank. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -39,24 +39,25 @@ static void test_four_bowls_float_inside_each_tank_and_apart(void **state)
     for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
         const struct tank_preset *preset = tank_preset(id);
         const float radius_m = preset->bowl_radius_m;
-        /* The bowl radius for which the preset computes its places must equal the radius of the
-         * simulated bowl. */
+        /* The preset computes the places of the bowls for this radius, which must equal the radius
+         * of the simulated bowl. */
         assert_float_equal(radius_m, BOWL_RADIUS_M, 0.0f);
         for (uint32_t i = 0; i < POI_MAX; i++) {
             assert_true(f_abs(preset->bowl_m[i].x) + radius_m < 0.5f * preset->size_m.x);
             assert_true(f_abs(preset->bowl_m[i].z) + radius_m < 0.5f * preset->size_m.z);
-            /* A gap of 4 cm is left between any two bowls, so that a fish can pass. */
+            /* Between any two bowls there must be a gap of at least 4 cm, so that a fish can
+             * pass. */
             for (uint32_t k = 0; k < i; k++) {
                 const vec3 apart_m = v3_sub(preset->bowl_m[i], preset->bowl_m[k]);
                 assert_true(v3_length(apart_m) > 2.0f * radius_m + 0.04f);
             }
         }
-        /* At least 40 % of the depth is free below a bowl, so that fish can pass. */
+        /* At least 40 % of the depth must be free below a bowl, so that fish can pass below it. */
         assert_true(BOWL_DEPTH_M < 0.6f * preset->size_m.y);
     }
 }
 
-/* Returns the screen position of a point. Points with x and y from -1 to 1 are visible. */
+/* Returns the position of a point on the screen. Points with x and y from -1 to 1 are visible. */
 static vec3 on_screen(const struct view *view, float aspect, vec3 point_m)
 {
     const struct basis axes = view_basis(view);
@@ -80,7 +81,8 @@ static void check_fits(uint8_t id, float aspect)
         widest = f_max(widest, f_abs(rim.x));
     }
     if (aspect > 1.7f && aspect < 1.8f) {
-        /* On a 16:9 screen, the tank fills most of the width (1 is the edge of the screen). */
+        /* On a 16:9 screen, the tank must fill most of the width. The edge of the screen is at
+         * 1. */
         assert_true(widest > 0.85f);
     }
 }
@@ -96,8 +98,8 @@ static void test_each_tank_is_visible_on_wide_and_narrow_screens(void **state)
     }
 }
 
-/* Tests the rules of the goldfish scooping federation: tank type A, 1,000 fish of about 4 cm, 10 cm
- * of water, no pump, 20 to 30 C. */
+/* The rules of the goldfish scooping federation prescribe tank type A, 1,000 fish of about 4 cm, 10
+ * cm of water, no pump, and 20 to 30 C. */
 static void test_the_official_preset_is_the_championship(void **state)
 {
     (void)state;
@@ -129,7 +131,7 @@ static void test_the_maximum_fish_count_follows_the_water_volume(void **state)
     (void)state;
     struct tank_preset preset = *tank_preset(TANK_PRESET_FESTIVAL);
     const uint32_t max = tank_preset_fish_max(&preset, 1.0f);
-    assert_in_range(max, 600, 700); /* The maximum is about twice the 300 fish of the preset. */
+    assert_in_range(max, 600, 700); /* The maximum is about twice the 300 fish of this preset. */
     preset.size_m.y *= 2.0f;
     assert_in_range(tank_preset_fish_max(&preset, 1.0f), 2u * max, 2u * max + 1u);
     preset.size_m.y *= 100.0f;

@@ -1,4 +1,4 @@
-/* test_shade.c -- checks shadows on the water: how long they rest, how they attract fish (2013
+/* test_shade.c -- checks shadows on the water: for how long they rest, how they attract fish (2013
  * thesis, section 3.5), and how they startle fish. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -21,7 +21,7 @@ static struct shade_cast fan_at(float x_m, float z_m)
     return (struct shade_cast){ 1, x_m, z_m, 0.10f, SHADE_FAN_DARK };
 }
 
-/* Returns the shadow of a fan that has been held still for `still_s`. */
+/* Returns the shadow of a fan that has been held still for `still_s` seconds. */
 static struct shade still_fan(float still_s)
 {
     const struct shade_cast cast = fan_at(0.0f, 0.0f);
@@ -44,8 +44,8 @@ static int near(float a, float b, float tolerance)
 
 /* ---- The pull of a shadow on fish ----------------------------------------------------------- */
 
-/* Tests equation 3.5 of the thesis with its factor S = 0.01 per frame. A tank of 200 fish had 60
- * frames per second (table 4.2), so S is 0.6 per second. */
+/* Compares the pull with equation 3.5 of the thesis, whose factor S is 0.01 per frame. A tank of
+ * 200 fish had 60 frames per second (table 4.2), so S is 0.6 per second. */
 static void test_the_pull_is_equation_3_5_per_second(void **state)
 {
     (void)state;
@@ -56,8 +56,8 @@ static void test_the_pull_is_equation_3_5_per_second(void **state)
     }
 }
 
-/* The pull of a fan's shadow ends at twice the fan's radius (figure 3.7 of the thesis). Farther
- * away, equation 3.5 gives a negative pull, which would push fish away. */
+/* The pull of a fan's shadow must end at twice the radius of the fan (figure 3.7 of the thesis). At
+ * greater distances, equation 3.5 would give a negative pull, which would push fish away. */
 static void test_a_shade_has_no_pull_beyond_twice_its_radius(void **state)
 {
     (void)state;
@@ -68,8 +68,8 @@ static void test_a_shade_has_no_pull_beyond_twice_its_radius(void **state)
     }
 }
 
-/* In area A of figure 3.7 (closer than 3 to 5 cm) the fan has no pull. In the thesis the pull ends
- * abruptly. Here it fades out from 5 to 3 cm. */
+/* In area A of figure 3.7, closer than 3 to 5 cm, the fan has no pull. In the thesis the pull ends
+ * abruptly, but in this game it fades out from 5 to 3 cm. */
 static void test_the_pull_fades_to_none_between_5_and_3_cm(void **state)
 {
     (void)state;
@@ -80,7 +80,8 @@ static void test_the_pull_fades_to_none_between_5_and_3_cm(void **state)
     }
 }
 
-/* Distances are horizontal. With three-dimensional distances, the shadow would pull fish upward. */
+/* The distance must be measured horizontally, because a three-dimensional distance would let the
+ * shadow pull fish upward. */
 static void test_the_pull_ignores_depth(void **state)
 {
     (void)state;
@@ -118,7 +119,8 @@ static int draw(struct shade_course *course, vec3 at_m, float yaw_rad)
     return shade_draw(&shade, 1, law_of(TANK_PRESET_THESIS), &fish, course);
 }
 
-/* By section 3.3, a swimming fish is never faster than 7.5 cm/s, whatever pulls it. */
+/* By section 3.3 of the thesis, a swimming fish is never faster than 7.5 cm/s, even while a shadow
+ * pulls it. */
 static void test_a_fish_with_the_pull_keeps_to_7_5_cm_s(void **state)
 {
     (void)state;
@@ -130,8 +132,8 @@ static void test_a_fish_with_the_pull_keeps_to_7_5_cm_s(void **state)
         }
     }
     struct shade_course inward = { .heading_rad = 0.5f * F_PI, .speed_m_s = 0.0525f };
-    /* Swimming (5.25 cm/s) and the pull (6 cm/s) would add up to 11.25 cm/s, but the limit is 7.5
-     * cm/s. */
+    /* Swimming (5.25 cm/s) and the pull (6 cm/s) would add up to 11.25 cm/s, so the speed is
+     * limited to 7.5 cm/s. */
     assert_true(draw(&inward, v3(0.10f, -0.1f, 0.0f), 0.5f * F_PI));
     assert_true(near(inward.speed_m_s, 0.075f, 1e-5f));
 }
@@ -139,8 +141,8 @@ static void test_a_fish_with_the_pull_keeps_to_7_5_cm_s(void **state)
 static void test_course_and_pull_add_up_as_velocities(void **state)
 {
     (void)state;
-    /* At 13 cm the pull is 4.2 cm/s toward -x, and the fish swims at 3 cm/s toward -z. The new
-     * heading is the direction of the sum. */
+    /* At 13 cm from the shadow, the pull is 4.2 cm/s toward -x. The fish swims at 3 cm/s toward -z.
+     * The new heading must be the direction of the sum of both. */
     const float want_rad = f_atan2(0.042f, 0.03f);
     struct shade_course course = { .heading_rad = 0.0f, .speed_m_s = 0.03f };
     assert_true(draw(&course, v3(0.13f, -0.1f, 0.0f), want_rad));
@@ -152,7 +154,7 @@ static void test_a_fish_turns_toward_the_shade_before_it_swims_there(void **stat
 {
     (void)state;
     struct shade_course course = { .heading_rad = 0.0f, .speed_m_s = 0.0f };
-    /* The fish faces away from the shadow, so it must first turn on the spot. */
+    /* The fish faces away from the shadow. It must therefore first turn on the spot. */
     assert_true(draw(&course, v3(0.10f, -0.1f, 0.0f), -0.5f * F_PI));
     assert_true(near(course.heading_rad, 0.5f * F_PI, 1e-3f));
     assert_true(course.speed_m_s == 0.0f);
@@ -200,15 +202,15 @@ static void test_a_slowly_moving_shadow_keeps_its_fish(void **state)
                             DT) == 0.0f);
 }
 
-/* A slow mouse moves the shadow in steps of one pixel (0.85 mm) with rests between them. The mean
- * speed must decide whether the shadow rests. */
+/* A slow mouse moves the shadow in steps of one pixel (0.85 mm), and the shadow rests between the
+ * steps. The mean speed must decide whether the shadow counts as resting. */
 static void test_the_steps_of_a_slow_mouse_do_not_restart_the_dwell(void **state)
 {
     (void)state;
     struct shade shade = still_fan(1.0f);
     struct shade_cast cast = shade.cast;
     for (int i = 0; i < 240; i++) {
-        /* The shadow moves by 0.85 mm every 30 ticks, which is 3.4 mm/s on average. */
+        /* Moves the shadow by 0.85 mm in every 30th tick, which is 3.4 mm/s on average. */
         cast.x_m += i % 30 == 0 ? 0.00085f : 0.0f;
         shade_tick(&shade, &cast, DT);
         assert_true(shade.edge_m_s < SHADE_MOVES_M_S);
@@ -281,7 +283,7 @@ static void test_an_edge_faster_than_5_cm_s_startles(void **state)
     assert_true(alarm(&fast, TANK_PRESET_FESTIVAL, 0.05f) > 0.0f);
 }
 
-/* In the thesis, only a resting shadow has an effect (section 3.5). A moving shadow does not
+/* In the thesis, only a resting shadow has an effect (section 3.5), so a moving shadow must not
  * startle fish. */
 static void test_shadows_do_not_startle_thesis_fish(void **state)
 {
@@ -293,8 +295,8 @@ static void test_shadows_do_not_startle_thesis_fish(void **state)
     assert_true(pull_cm_s(&shade, TANK_PRESET_THESIS, 10.0f) > 5.9f);
 }
 
-/* Thin paper casts a weak shadow, so the alarm of fish rises only a twentieth as fast as under a
- * fan. */
+/* Thin paper casts a weak shadow. The alarm of the fish must rise only a twentieth as fast as under
+ * a fan. */
 static void test_thin_paper_alarms_a_twentieth_as_much_as_a_fan(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* test_shade_tank.c -- checks the effect of shadows on whole tanks: which fish gather (2013 thesis,
- * figures 4.17 to 4.20), which are startled, and which objects of the game cast shadows. */
+ * figures 4.17 to 4.20), which fish are startled, and which objects of the game cast shadows. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -51,8 +51,9 @@ static struct gathering gather(uint32_t seed)
     return count;
 }
 
-/* In figures 4.17 to 4.20, more and more of 200 fish gather under a fan after 1, 6 and 10 s and
- * stay there. The test adds up several tanks, because single fish change a count by a few. */
+/* Figures 4.17 to 4.20 show that more and more of 200 fish gather under a fan after 1, 6 and 10 s,
+ * and stay there. The test adds the counts of several tanks, because single fish change the count
+ * of one tank by a few. */
 static void test_fish_gather_as_in_figures_4_17_to_4_20(void **state)
 {
     (void)state;
@@ -72,7 +73,8 @@ static void test_fish_gather_as_in_figures_4_17_to_4_20(void **state)
 }
 
 /* In the thesis (section 3.5) a shadow pulls every fish, so it also turns a bursting fish. A
- * bursting fish keeps its speed, because only swimming fish are limited (section 3.3). */
+ * bursting fish keeps its speed, because only the speed of swimming fish is limited (section
+ * 3.3). */
 static void test_a_shade_turns_a_bursting_fish_only_in_the_thesis(void **state)
 {
     const uint8_t presets[] = { TANK_PRESET_THESIS, TANK_PRESET_FESTIVAL };
@@ -85,12 +87,12 @@ static void test_a_shade_turns_a_bursting_fish_only_in_the_thesis(void **state)
         const struct shade_cast fan = fan_at(0.0f, 0.0f);
         uint32_t tick = 0;
         open_tank(&tank, presets[p], 1, 3);
-        /* The fan is held still for 3 s, so that the shadow pulls at full strength in every
+        /* Holds the fan still for 3 s, so that its shadow pulls at full strength in every
          * preset. */
         hold_fan(&tick, &fan, 3);
         tank_stage_all(&tank, &stage, 1);
-        /* Clears the turn and the push that the fish got from the shadow during the 3 s before
-         * tank_stage_all() placed it. */
+        /* Clears the turn and the push that the fish got from the shadow in these 3 s, before
+         * tank_stage_all() placed the fish. */
         tank.fish[0].drawn_rad = tank.fish[0].yaw_rate_rad_s = 0.0f;
         tank.fish[0].push_m_s = v3(0.0f, 0.0f, 0.0f);
         const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan };
@@ -98,11 +100,11 @@ static void test_a_shade_turns_a_bursting_fish_only_in_the_thesis(void **state)
             tank_cast(&tank, casts);
             tank_tick(&tank, tick, NULL, 0);
         }
-        /* The fan is on the left of the fish, so a pulled fish turns left. */
+        /* The fan is on the left of the fish, so a fish that is pulled turns left. */
         const float turned_rad = tank.fish[0].angles.yaw_rad;
         assert_true(presets[p] == TANK_PRESET_THESIS ? turned_rad > 10.0f * F_DEG
                                                      : f_abs(turned_rad) < 1.0f * F_DEG);
-        /* The limit of 7.5 cm/s for swimming fish does not apply to a bursting fish. */
+        /* The bursting fish must not be limited to 7.5 cm/s, the limit for swimming fish. */
         assert_true(tank.fish[0].speed_goal_m_s > 0.10f);
     }
 }
@@ -124,13 +126,14 @@ static void test_swimmers_in_a_shade_keep_to_7_5_cm_s(void **state)
             }
         }
     }
-    /* The count proves that the shadow set many resting fish in motion, with speed goals above 4
-     * cm/s. */
+    /* Checks that the test is not empty: the shadow must have moved many resting fish, with speed
+     * goals above 4 cm/s. */
     assert_true(drawn > 100u);
 }
 
-/* Returns how often a fish within `circle` reverses its turn, per second and fish, from second 6 to
- * second 14. A reversal needs turns of more than 20 degrees per second in both directions. */
+/* Returns how often a fish within `circle` reverses its turn, per second and per fish, from second
+ * 6 to second 14. A reversal is a change between turns of more than 20 degrees per second to both
+ * sides. */
 static float reversals_per_s(uint32_t fish_count, uint32_t seed, const struct shade_cast *fan,
                              const struct shade_cast *circle, float *within)
 {
@@ -158,9 +161,9 @@ static float reversals_per_s(uint32_t fish_count, uint32_t seed, const struct sh
     return (float)(reversals * CORE_TICK_HZ) / (float)fish_ticks;
 }
 
-/* Fish under a fan are dense and therefore meet often. These fish are compared with a tank of the
- * same density without a fan. Under the fan they also turn back at the edge of the shadow every few
- * seconds, so some more reversals are allowed. */
+/* Fish under a fan are close together and therefore meet often. They are compared with the fish of
+ * a tank that has the same density and no fan. Fish under a fan also turn back at the edge of the
+ * shadow every few seconds, so a few more reversals are allowed. */
 static void test_gathered_fish_do_not_jitter(void **state)
 {
     const struct shade_cast none = { 0 }, fan = fan_at(0.0f, 0.0f);
@@ -179,8 +182,8 @@ static void test_gathered_fish_do_not_jitter(void **state)
     assert_true(gathered < 2.0f * dense);
 }
 
-/* In presets with startle responses, a new shadow drives fish away, and a resting shadow attracts
- * them. */
+/* In presets in which fish can be startled, a new shadow must drive fish away, and a resting shadow
+ * must attract them. */
 static void test_a_new_fan_scatters_fish_and_a_still_one_gathers_them(void **state)
 {
     const struct shade_cast fan = fan_at(0.0f, 0.0f);
@@ -194,7 +197,8 @@ static void test_a_new_fan_scatters_fish_and_a_still_one_gathers_them(void **sta
         hold_fan(&tick, &fan, 1);
         const uint32_t scattered = tank_shade_count(&tank, &fan);
         hold_fan(&tick, &fan, 1);
-        /* Two seconds after the fan appeared, more than half of the fish under it have fled. */
+        /* Two seconds after the fan appeared, more than half of the fish under it must have
+         * fled. */
         assert_true(2u * tank_shade_count(&tank, &fan) < before);
         hold_fan(&tick, &fan, 8);
         const uint32_t gathered = tank_shade_count(&tank, &fan);
@@ -214,8 +218,8 @@ static uint32_t escaping(void)
     return count;
 }
 
-/* Measures the latency from the appearance of a fan to the C-start (the beginning of the escape). A
- * gulping fish takes 1.5 times as long, because it submerges first. */
+/* Measures the time from the appearance of a fan to the C-start, which is the beginning of the
+ * escape. A gulping fish takes 1.5 times as long, because it submerges first. */
 static void test_fish_react_to_a_new_fan_after_60_to_150_ms(void **state)
 {
     const struct shade_cast none = { 0 };
@@ -223,8 +227,8 @@ static void test_fish_react_to_a_new_fan_after_60_to_150_ms(void **state)
     uint32_t started[TANK_FISH_MAX], after[32] = { 0 }, starts = 0, soon = 0, late = 0;
     (void)state;
     for (uint32_t seed = 1; seed <= 40; seed++) {
-        /* Each fish updates its behavior in every fourth tick. Different start ticks cover all four
-         * phases. */
+        /* Each fish updates its behavior in every fourth tick. The different start ticks of the
+         * loop cover all four phases. */
         uint32_t tick = seed;
         open_tank(&tank, TANK_PRESET_FESTIVAL, 300, seed);
         hold_fan(&tick, &none, 1);
@@ -254,7 +258,7 @@ static void test_fish_react_to_a_new_fan_after_60_to_150_ms(void **state)
     assert_true(starts > 1000u);
     assert_int_equal(soon, 0);
     /* Only a fish that swims under the fan later may start its escape more than 150 ms after the
-     * fan appeared. */
+     * fan appeared. Fewer than 1 % of the escapes may be so late. */
     assert_true(100u * late < starts);
 }
 
@@ -268,7 +272,7 @@ static uint32_t escapes_under(uint8_t preset, float fan_m_s, float dark)
         casts[0].x_m += tick > CORE_TICK_HZ ? fan_m_s * CORE_TICK_S : 0.0f;
         tank_cast(&tank, casts);
         tank_tick(&tank, tick, NULL, 0);
-        /* The first second is skipped, because the fan's appearance startles fish. */
+        /* Skips the first second, because the appearance of the fan startles fish. */
         if (tick > CORE_TICK_HZ) {
             const uint32_t now = escaping();
             most = now > most ? now : most;
@@ -318,7 +322,7 @@ static void test_the_position_of_a_fan_is_limited_to_the_tank(void **state)
     input.shade[2].radius_m = -1.0f;
     core_tick(&core, &input, &output);
     assert_true(cast->radius_m == SHADE_RADIUS_MIN_M);
-    /* This fan is absent, so its infinite coordinate must not be used. */
+    /* This fan is absent, so its infinite coordinate must have no effect. */
     input.shade[2] = (struct shade_input){ 0, 1.0f / 0.0f, 0.0f, 0.0f };
     core_tick(&core, &input, &output);
     assert_int_equal(cast->present, 0);
@@ -348,8 +352,8 @@ static void test_a_dry_poi_casts_a_shadow_and_a_submerged_poi_casts_none(void **
     assert_true(level.present && level.x_m == 0.1f && level.z_m == -0.1f);
     assert_float_equal(level.radius_m, POI_OUTER_RADIUS_M, 1e-4f);
     assert_float_equal(level.dark, POI_PAPER_DARK, 1e-4f);
-    /* The shadow of a poi tilted by 60 degrees is an ellipse of half the area. The code uses a disc
-     * of the same area, whose radius is smaller by the factor 0.7071. */
+    /* The poi is tilted by 60 degrees, so its shadow is an ellipse of half the area. The core uses
+     * a disc of the same area, whose radius is smaller by the factor 0.7071. */
     poi.angles.pitch_rad = 60.0f * F_DEG;
     assert_float_equal(poi_shade(&poi).radius_m, 0.7071f * POI_OUTER_RADIUS_M, 1e-4f);
     poi.immersed = 0.01f;

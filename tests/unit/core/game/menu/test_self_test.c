@@ -1,4 +1,4 @@
-/* test_self_test.c -- checks the kiosk's self-test. A row must not be shown as good before its
+/* test_self_test.c -- checks the kiosk's self-test. A row may be shown as good only after its
  * check. The kiosk is ready when all rows are good. Each failure must be named. */
 #include <string.h>
 
@@ -10,7 +10,7 @@
 static struct scene scene;
 static uint8_t state_of[SELF_CHECKS];
 
-/* Health values of a machine without any fault. */
+/* Health values of a machine that has no fault. */
 static const struct scene_machine well = {
     .is_checked = 1,
     .keeps = KEEPS_PROVEN,
@@ -67,7 +67,7 @@ static uint32_t judge(void)
     return self_test_judge(&scene, state_of);
 }
 
-/* Reports the newest ledger entry as saved, as a working store does. */
+/* Reports the newest ledger entry as saved, as a store that works does. */
 static void save(void)
 {
     input.record_saved_id = output.entry_id;
@@ -135,7 +135,7 @@ static void test_a_manual_check_is_requested_until_it_is_done(void **state)
     for (size_t i = 0; i < sizeof asks; i++) {
         assert_int_equal(state_of[asks[i]], SELF_ASKS);
     }
-    /* No poi is connected, so the check SELF_POIS fails. */
+    /* The check SELF_POIS fails, because no poi is connected. */
     assert_int_equal(state_of[SELF_POIS], SELF_BAD);
     wave(0);
     judge();
@@ -156,7 +156,7 @@ static void test_a_store_that_saves_nothing_is_named_within_20_s(void **state)
     drop_a_coin();
     assert_int_equal(judge(), SELF_STORE);
     assert_int_equal(state_of[SELF_STORE], SELF_BAD);
-    /* If the store saves the entry after all, the check passes. */
+    /* If the store saves the entry later, the check must pass. */
     save();
     assert_int_equal(judge(), SELF_CHECKS);
 }
@@ -168,7 +168,7 @@ static void test_each_failed_check_is_named(void **state)
     input.day = 0;
     step();
     assert_int_equal(judge(), SELF_CLOCK);
-    /* A clock that is not set is a warning (SELF_LOOK) and not a failure. */
+    /* A clock that is not set must give a warning (SELF_LOOK), not a failure. */
     assert_int_equal(state_of[SELF_CLOCK], SELF_LOOK);
     input.day = 9000;
     step();
@@ -184,7 +184,8 @@ static void test_each_failed_check_is_named(void **state)
     scene.devices.files_refused = 0;
     assert_int_equal(judge(), SELF_CHECKS);
     steps(2u * CORE_TICK_HZ);
-    /* A pose that is 24 ticks old means five reports per second, which are too few for play. */
+    /* If the newest pose is 24 ticks old, the controller sends only five reports per second, which
+     * is too slow for play. */
     input.poi[0].age_ticks = 24;
     step();
     assert_int_equal(judge(), SELF_POIS);
@@ -197,7 +198,7 @@ static void test_the_operators_answers_decide_sound_and_lamps(void **state)
     clear_sounds();
     steps(3u * CORE_TICK_HZ);
     assert_in_range(sounds[SOUND_CALL], 2, 4);
-    /* The question about the lamps follows the question about the sound. */
+    /* The self-test asks about the lamps after it has asked about the sound. */
     assert_false(self_test_shows(&core.game));
     take(SELF_NO);
     judge();
@@ -215,15 +216,15 @@ static void test_the_operators_answers_decide_sound_and_lamps(void **state)
     assert_int_equal(state_of[SELF_LAMP], SELF_BAD);
     assert_false(menu_enabled(menu()) >> SELF_YES & 1u);
     step();
-    /* The operator must insert a test coin, so the coin slot is open. */
+    /* For this check, the operator must insert a test coin, so the coin slot must be open. */
     assert_int_equal(output.coin_lockout, 0);
     take(SELF_AGAIN);
     judge();
     assert_int_equal(state_of[SELF_SOUND], SELF_ASKS);
 }
 
-/* Each row has a check, the expected state and the health values that cause it. Limits are tested
- * on both sides. */
+/* Each row has a check, its expected result, and the health values that must cause this result.
+ * Limits are tested on both sides. */
 static const struct {
     uint8_t check, wanted;
     struct scene_machine but;
@@ -241,7 +242,7 @@ static const struct {
     { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_LOW_MIB - 1u } },
     { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_BAD_MIB } },
     { SELF_ROOM, SELF_BAD, { .room_mib = SELF_ROOM_BAD_MIB - 1u } },
-    /* A machine without a temperature sensor passes the check. */
+    /* A machine without a temperature sensor must pass the check. */
     { SELF_HEAT, SELF_GOOD, { .has_heat = 0, .heat_margin_c = -5 } },
     { SELF_HEAT, SELF_GOOD, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C } },
     { SELF_HEAT, SELF_LOOK, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C - 1 } },
@@ -294,7 +295,7 @@ static void test_every_system_health_row_has_every_state(void **state)
 }
 
 /* Simulates the worst case: no health values, a store that never responds, and no displayed frames.
- * Each of these checks must have failed after 20 s. */
+ * After 20 s, each of the checks must have failed. */
 static void test_no_automatic_check_is_pending_after_20_s(void **state)
 {
     (void)state;
@@ -320,7 +321,8 @@ static void test_no_automatic_check_is_pending_after_20_s(void **state)
     assert_int_equal(self_test_left(state_of), SELF_CHECKS - 2u);
 }
 
-/* The self-test must not ask for a coin if coins are not used, nor for a lamp that has no line. */
+/* The self-test must not ask for a coin if the kiosk takes no coins, nor for a lamp that has no
+ * line. */
 static void test_absent_hardware_is_not_checked(void **state)
 {
     (void)state;
@@ -332,13 +334,13 @@ static void test_absent_hardware_is_not_checked(void **state)
     judge();
     assert_int_equal(state_of[SELF_COINS], SELF_GOOD);
     assert_int_equal(state_of[SELF_LAMP], SELF_GOOD);
-    take(SELF_YES); /* Confirms that the test sound was heard. */
-    take(SELF_NO);  /* Reports that the lamps did not light up. */
+    take(SELF_YES); /* Answers that the test sound was heard. */
+    take(SELF_NO);  /* Answers that the lamps did not light up. */
     judge();
     assert_int_equal(state_of[SELF_LAMP], SELF_BAD);
 }
 
-/* Asserts that the page names a failure before a warning. */
+/* The page must name a failure before a warning. */
 static void test_the_worst_result_is_named_first(void **state)
 {
     (void)state;
@@ -351,7 +353,7 @@ static void test_the_worst_result_is_named_first(void **state)
     assert_int_equal(judge(), SELF_STORE);
 }
 
-/* A button without a GPIO line must not be requested, because it cannot be pressed. */
+/* The self-test must not ask for a button that has no GPIO line, because nobody can press it. */
 static void test_a_button_without_a_line_is_not_requested(void **state)
 {
     (void)state;
@@ -365,8 +367,8 @@ static void test_a_button_without_a_line_is_not_requested(void **state)
     assert_int_equal(state_of[SELF_BUTTONS], SELF_GOOD);
 }
 
-/* To check the store, the self-test writes an entry that repeats a stored value. The entry must not
- * change any setting. */
+/* To check the store, the self-test writes an entry that repeats a stored value. This entry must
+ * not change any setting. */
 static void test_the_store_check_entry_repeats_an_existing_value(void **state)
 {
     (void)state;

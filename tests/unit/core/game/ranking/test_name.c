@@ -1,5 +1,5 @@
-/* test_name.c -- checks how ranked players enter their names: with a poi, with three buttons, or
- * not at all. */
+/* test_name.c -- checks how players with a rank enter their names: with a poi, with three buttons,
+ * or not at all. */
 #include "core/game/ranking/name.h"
 #include "core/game/phases.h"
 #include "core/game/ranking/name_filter.h"
@@ -22,7 +22,8 @@ static int setup_names(void **state)
     return 0;
 }
 
-/* Plays a round of `seats` players until the result. Player i has caught `caught[i]` fish. */
+/* Plays a round of `seats` players until the result screen. Player i has caught `caught[i]`
+ * fish. */
 static void play(uint32_t seats, const uint32_t *caught)
 {
     for (uint32_t i = 0; i < seats; i++) {
@@ -43,7 +44,7 @@ static void play_alone(uint32_t caught)
     play(1, &caught);
 }
 
-/* Goes from the result to the name entry of the best player. */
+/* Goes from the result screen to the page on which the best player enters a name. */
 static void ask_for_name(void)
 {
     steps(GAME_AGAIN_TICKS);
@@ -80,8 +81,9 @@ static void write_letters(const uint16_t *letters)
     }
 }
 
-/* Holds a player's poi over the middle of a key, `y_m` above the water. For a controller that
- * measures angles (`has_wrist`), the tank seen from above is mapped to the whole screen. */
+/* Holds a player's poi over the middle of a key, `y_m` above the water. If the controller measures
+ * angles (`has_wrist`), the position is mapped from the tank seen from above to the whole
+ * screen. */
 static void lead(uint32_t seat, uint32_t key, float y_m)
 {
     const struct layout_point canvas = pointer_layout_size(0);
@@ -160,7 +162,7 @@ static void test_an_unranked_player_is_not_asked(void **state)
             core.game.accounts.ranking.row[MODE_FESTIVAL][period][i].round_id = 900u + i;
         }
     }
-    /* The player equals the earlier scores. Earlier scores keep their places, so the player has no
+    /* The player only equals the earlier scores. These keep their ranks, so the player gets no
      * rank. */
     play_alone(5);
     steps(GAME_RESULT_TICKS);
@@ -181,7 +183,7 @@ static void test_players_are_asked_once_each_with_the_best_first(void **state)
     press_key(NAME_DONE);
     assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
     steps(LEADERBOARD_TICKS);
-    /* The album opens, because the third player gets a fish as a present. */
+    /* The third player gets a fish as a present, so the album opens. */
     assert_int_equal(core.game.phase, PHASE_ALBUM);
 }
 
@@ -266,11 +268,11 @@ static void test_the_dip_that_ended_the_result_enters_nothing(void **state)
     steps(GAME_AGAIN_DIP_TICKS);
     dip();
     assert_int_equal(core.game.phase, PHASE_NAME);
-    /* The poi is still under water after the dip that opened the name entry. This old dip must not
+    /* The poi is still under water after the dip that opened the page. This dip must not also
      * select a letter. */
     steps(NAME_SEEN_TICKS + 10u);
     assert_int_equal(core.game.name.letter_count, 0);
-    /* Only a new dip, after the poi rose above the water, selects a letter. */
+    /* The poi has risen above the water first, so this dip selects a letter. */
     dip_at(0, cell_of(u'か'));
     assert_int_equal(core.game.name.letter_count, 1);
 }
@@ -312,7 +314,8 @@ static void test_erase_and_change_do_nothing_on_an_empty_name(void **state)
     assert_int_equal(core.game.name.letter_count, 0);
     const uint32_t before = output.entry_id;
     press_key(NAME_DONE);
-    assert_int_equal(output.entry_id, before); /* An empty name writes no ledger entry. */
+    /* The name is empty, so no ledger entry is written. */
+    assert_int_equal(output.entry_id, before);
     assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
 }
 
@@ -420,15 +423,15 @@ static void test_a_round_without_a_ledger_entry_gets_no_name(void **state)
     (void)state;
     input.store_well = 1;
     steps(2);
-    /* The ring buffer of unsaved ledger entries is full. The round then has no ledger entry, so no
-     * name can be stored for it. */
+    /* The ring buffer of unsaved ledger entries is full. The round therefore gets no ledger entry,
+     * and no name can be stored for it. */
     core.game.accounts.ledger.last_id += LEDGER_RING;
     play_alone(3);
     steps(GAME_RESULT_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* Whatever motion and buttons occur, the name entry ends. The stored name must consist of whole
+/* The name entry must end with any motion and any buttons. The stored name must consist of whole
  * letters and pass the name filter. */
 static void test_the_name_entry_ends_with_any_input(void **state)
 {
@@ -458,7 +461,7 @@ static struct scene scene;
 static void test_the_leaderboard_shows_the_best_rank_and_highlights_the_round(void **state)
 {
     (void)state;
-    /* Four better scores give the round only rank 5 of all time. */
+    /* Four earlier scores are better, so the round gets only rank 5 of all time. */
     for (uint32_t i = 0; i < 4u; i++) {
         core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][i].caught = 50;
         core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][i].round_id = 900u + i;
@@ -466,7 +469,8 @@ static void test_the_leaderboard_shows_the_best_rank_and_highlights_the_round(vo
     play_alone(3);
     core_scene(&core, &scene);
     assert_int_equal(scene.player[0].place, 1);
-    /* The round has rank 1 of the day and of the week. The longer period is shown. */
+    /* The round has rank 1 of the day and of the week. The scene must show the longer of these
+     * periods. */
     assert_int_equal(scene.player[0].period, RANK_WEEK);
     ask_for_name();
     press_key(NAME_DONE);
@@ -485,7 +489,8 @@ static void test_attract_cycles_through_the_leaderboards_with_scores(void **stat
     core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
     core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_WEEK][0].caught = 4;
     core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught = 4;
-    /* The championship has a score but is not enabled, so its leaderboard is not shown. */
+    /* The championship has a score, but the mode is not enabled, so its leaderboard is not
+     * shown. */
     core.game.accounts.ranking.row[MODE_CHAMPIONSHIP][RANK_EVER][0].caught = 4;
     core.game.accounts.ranking.row[ranking_board(MODE_FESTIVAL, LEVEL_EASY)][RANK_DAY][0].caught =
         2;

@@ -62,7 +62,7 @@ static void test_an_empty_name_is_accepted_and_invalid_bytes_hide_no_word(void *
     assert_false(name_is_refused("\xff\xfe\x80"));
     assert_true(name_is_refused("fu\xff"
                                 "ck"));
-    /* The text ends after two of the three bytes of a letter. */
+    /* These texts end in the middle of a letter, whose remaining bytes are missing. */
     assert_false(name_is_refused("\xe3\x81"));
     assert_true(name_is_refused("fuck\xe3"));
 }

@@ -24,7 +24,7 @@ static int clean(void **state)
     return 0;
 }
 
-/* Adds the ledger entry of a round with one player, played in the kiosk's start number `boot`.
+/* Adds the ledger entry of a round with one player. `boot` is the number of the kiosk's start.
  * Returns the id of the entry. */
 static uint32_t play(uint32_t caught, uint32_t boot, uint16_t day)
 {
@@ -101,7 +101,8 @@ static void test_four_players_of_one_round_are_ranked_separately(void **state)
     for (uint32_t seat = 0; seat < POI_MAX; seat++) {
         entry.round.player[seat].caught = 10u + seat;
     }
-    entry.round.players = 0xb; /* Bits 0, 1 and 3: player 2 did not take part until the end. */
+    entry.round.players = 0xb; /* Bits 0, 1 and 3 are set, because player 2 did not take part until
+                                  the end. */
     ranking_note(&ranking, &entry);
     assert_int_equal(ranking_place(&ranking, 0, RANK_DAY, 7, 3), 0);
     assert_int_equal(ranking_place(&ranking, 0, RANK_DAY, 7, 1), 1);
@@ -121,7 +122,7 @@ static void test_a_name_is_set_and_removed_on_every_leaderboard_of_its_round(voi
     memset(name.name, 0, sizeof name.name);
     ranking_note(&ranking, &name);
     assert_string_equal(ranking.row[0][RANK_EVER][0].name, "");
-    /* The catch of 4 fish on the day before still counts for all time. */
+    /* The 4 fish that were caught on the day before still count for all time. */
     assert_int_equal(best(RANK_EVER), 4);
 }
 
@@ -164,7 +165,7 @@ static void test_a_wrong_date_affects_the_leaderboard_only_while_it_lasts(void *
 {
     (void)state;
     play(5, 1, 9000);
-    /* Day 30000 (the year 2082) comes from a wrong clock. */
+    /* Day 30000 is in the year 2082, so the clock must be wrong. */
     play(3, 1, 30000);
     assert_int_equal(best(RANK_DAY), 3);
     play(2, 1, 9000);
@@ -180,8 +181,8 @@ static void test_a_day_without_a_clock_lasts_until_the_next_start(void **state)
     play(3, 1, 0);
     assert_int_equal(best(RANK_DAY), 5);
     pass(LEDGER_BOOT, 2, 0);
-    /* The kiosk has no clock at start 2, so start 2 may be on another day. The score of start 1
-     * remains until a round of start 2 is played. */
+    /* At start 2 the kiosk has no clock, so it may be another day. The score of start 1 is
+     * nevertheless kept until a round is played after start 2. */
     assert_int_equal(best(RANK_DAY), 5);
     play(2, 2, 0);
     assert_int_equal(best(RANK_DAY), 2);
@@ -194,8 +195,8 @@ static void test_a_week_without_a_clock_has_seven_starts(void **state)
     for (uint32_t boot = 1; boot <= 7; boot++) {
         play(20u - boot, boot, 0);
     }
-    /* Without a clock, each start counts as a day and seven starts as a week. The seventh start
-     * began a new week, and its 13 fish are the best. */
+    /* Without a clock, each start counts as a day, and seven starts count as a week. The seventh
+     * start began a new week, in which 13 fish are the best score. */
     assert_int_equal(best(RANK_WEEK), 13);
     for (uint32_t boot = 8; boot <= 13; boot++) {
         play(1, boot, 0);
@@ -209,8 +210,8 @@ static void test_a_clock_set_a_minute_after_the_start_ends_no_day(void **state)
 {
     (void)state;
     play(5, 1, 9000);
-    /* The kiosk starts without a date and gets the date later from the network. The day is the
-     * same, so the leaderboard must not be cleared. */
+    /* The kiosk starts without a date and gets the date from the network later. It is still the
+     * same day, so the leaderboard must not be cleared. */
     pass(LEDGER_BOOT, 2, 0);
     pass(LEDGER_COINS, 2, 0);
     pass(LEDGER_COINS, 2, 9000);
@@ -224,7 +225,7 @@ static void test_a_round_before_the_clock_was_set_belongs_to_that_day(void **sta
     play(4, 2, 0);
     play(3, 2, 9001);
     assert_int_equal(best(RANK_DAY), 4);
-    /* The kiosk has no clock at start 3, so start 3 may be on another day than start 2. */
+    /* At start 3 the kiosk has no clock, so it may be another day than at start 2. */
     play(2, 3, 0);
     assert_int_equal(best(RANK_DAY), 2);
     assert_int_equal(best(RANK_EVER), 5);
@@ -248,7 +249,7 @@ static void test_each_level_of_a_mode_has_its_own_leaderboard(void **state)
             assert_int_equal(ranking.row[board][period][1].caught, 0);
         }
     }
-    /* A new day clears the leaderboard of the day at each level. */
+    /* A new day must clear the leaderboard of the day at each level. */
     pass(LEDGER_BOOT, 2, 9001);
     assert_int_equal(ranking.row[ranking_board(MODE_FESTIVAL, LEVEL_EASY)][RANK_DAY][0].caught, 0);
 }

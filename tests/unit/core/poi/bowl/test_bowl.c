@@ -10,7 +10,7 @@ static void fill(uint32_t count)
     memset(&tank, 0, sizeof tank);
     tank.seed = 4;
     tank.size_m = v3(0.90f, 0.15f, 0.55f);
-    /* Puts `count` fish into the bowl and one more fish into the tank. */
+    /* Puts `count` fish into the bowl. One more fish stays in the tank. */
     tank.fish_count = count + 1u;
     bowl_init(&bowl, v3(0.33f, 0.02f, 0.17f));
     for (uint32_t i = 0; i < count; i++) {
@@ -22,7 +22,7 @@ static void fill(uint32_t count)
     bowl.fish_count = count;
 }
 
-/* Returns 1 if the snout and the tail of a fish are inside the bowl's hull, which is half an
+/* Returns 1 if the snout and the tail of a fish are both inside the bowl's hull, which is half an
  * ellipsoid. */
 static int inside_hull(const struct fish *fish)
 {
@@ -94,7 +94,7 @@ static void test_pouring_back_puts_every_fish_under_water_beside_the_bowl(void *
     for (uint32_t i = 0; i < 60; i++) {
         const struct fish *fish = &tank.fish[i];
         const float half = 0.5f * fish->height_m;
-        /* After pouring, the fish is in the water but does not swim until it overlaps no other
+        /* The fish has been poured into the water. It must not swim before it is clear of all other
          * fish. */
         assert_int_equal(fish->gait, GAIT_HELD);
         assert_int_equal(fish->holder, FISH_HOLDER_WATER);
@@ -110,7 +110,8 @@ static void test_pouring_back_puts_every_fish_under_water_beside_the_bowl(void *
 
 /* ---- Capacity ------------------------------------------------------------------------------- */
 
-/* Drops `count` fish of `length_m` into the bowl, three per second, as many players would. */
+/* Drops `count` fish of `length_m` into the bowl at a rate of three per second, which several
+ * players together can reach. */
 static void drop_in_all(uint32_t count, float length_m)
 {
     const struct stall stall = { &tank, &bowl, 1 };
@@ -137,10 +138,10 @@ struct tightness {
     float fastest_m_s;
 };
 
-/* Returns the overlap of two level fish in metres; 0 or less means no overlap. A fish is modelled
- * as a capsule: the axis is 0.64 body lengths long, and the radius is 0.40 body widths. The
- * distance is measured at 41 points of the axis. A fish is higher than wide, so vertical distances
- * are scaled. */
+/* Returns the overlap of two level fish in metres; 0 or less means that they do not overlap. Each
+ * fish is modelled as a capsule. The axis of the capsule is 0.64 body lengths long, and its radius
+ * is 0.40 body widths. The distance is measured at 41 points of the axis. Vertical distances are
+ * scaled, because a fish is higher than wide. */
 static float overlap_m(const struct fish *a, const struct fish *b)
 {
     const vec3 on_a = v3_heading(a->angles.yaw_rad), on_b = v3_heading(b->angles.yaw_rad);
@@ -184,8 +185,8 @@ static void test_bowl_fish_overlap_little_up_to_the_record_count(void **state)
     (void)state;
     const uint32_t counts[] = { 20, 60, 80, 107, BOWL_FISH_MAX };
     const float pairs_max[] = { 0.0f, 0.2f, 1.0f, 4.0f, 5.0f };
-    /* Largest permitted overlap for each number of fish. Fish overlap deeply only for a moment,
-     * while they make room for others. */
+    /* Largest permitted overlap for each number of fish, in mm. Fish overlap deeply only for a
+     * moment, while they make room for other fish. */
     const float worst_mm[] = { 1.0f, 3.0f, 4.0f, 7.0f, 7.0f };
     for (int i = 0; i < 5; i++) {
         drop_in_all(counts[i], 0.04f);
@@ -226,7 +227,7 @@ static void test_a_full_bowl_is_poured_back_before_the_next_fish_falls_in(void *
     assert_int_equal(bowl.fish_count, 1);
     assert_float_equal(bowl.fish_kg, fish_mass_kg(last->length_m), 1e-9f);
     assert_int_equal(last->gait, GAIT_BOWL);
-    /* The full bowl was emptied into the tank. Its fish are in the water and do not swim yet. */
+    /* The full bowl was emptied into the tank, so its fish are in the water and do not swim yet. */
     for (uint32_t i = 0; i < BOWL_FISH_MAX; i++) {
         assert_int_equal(tank.fish[i].gait, GAIT_HELD);
         assert_int_equal(tank.fish[i].holder, FISH_HOLDER_WATER);
@@ -237,8 +238,8 @@ static void test_a_bowl_holds_fewer_large_fish(void **state)
 {
     (void)state;
     drop_in_all(40, 0.06f);
-    /* The bowl holds 0.172 kg. This is the mass of 33 fish of 6 cm, so the bowl was emptied before
-     * the 40th fish. */
+    /* The bowl can hold 0.172 kg of fish, which is the mass of 33 fish of 6 cm. It was therefore
+     * emptied before the 40th fish. */
     assert_true(bowl.fish_count < 40);
     assert_true(bowl.fish_count > 0);
 }

@@ -1,5 +1,5 @@
-/* test_bowl_floats.c -- checks floating bowls: buoyancy, drift, and pushes by fish, rings, walls
- * and other bowls. */
+/* test_bowl_floats.c -- checks floating bowls: their buoyancy and drift, and how fish, rings, walls
+ * and other bowls push them. */
 #include "core/poi/poi.h"
 #include "tests/unit/support/poi_fixture.h"
 
@@ -7,7 +7,7 @@ static struct tank tank;
 static struct bowl bowls[POI_MAX];
 static struct poi poi;
 
-/* Creates `count` bowls in a tank of 0.9 x 0.55 m with still water and no fish. */
+/* Creates `count` bowls in a tank of 0.9 x 0.55 m. The water is still, and there are no fish. */
 static void float_bowls(uint32_t count)
 {
     memset(&tank, 0, sizeof tank);
@@ -43,7 +43,8 @@ static void test_a_bowl_floats_at_its_home(void **state)
     const vec3 off_m = v3_sub(bowls[0].position_m, bowls[0].home_m);
     assert_true(v3_length(off_m) < 1e-5f);
     assert_true(bowls[0].water_kg > 0.4f);
-    /* The empty bowl sinks 13.5 mm deep, where its hull displaces its own weight in water. */
+    /* The empty bowl must float 13.5 mm deep. At this depth its hull displaces as much water as the
+     * bowl weighs. */
     assert_float_equal(bowl_level_m(&bowls[0]), 0.0135f, 0.001f);
 }
 
@@ -87,10 +88,12 @@ static void test_the_bowls_water_rises_with_its_fish_and_spills_before_the_mouth
     }
     wait_for(3.0f);
     assert_int_equal(bowls[0].fish_count, BOWL_FISH_MAX);
-    /* The rim of the full bowl is 3 to 8 mm above the water (30 to 80 in units of 0.1 mm). */
+    /* The rim of the full bowl must be 3 to 8 mm above the water. The limits are in units of 0.1
+     * mm. */
     assert_in_range((uint32_t)(1e4f * before_m), 30, 80);
     assert_float_equal(bowls[0].position_m.y, 0.004f, 5e-4f);
-    /* The fish have displaced a part of the bowl's 0.523 kg of water, which flowed over the rim. */
+    /* The fish have displaced a part of the 0.523 kg of water in the bowl. The displaced water
+     * flowed over the rim. */
     assert_true(bowls[0].water_kg < 0.520f);
 }
 
@@ -108,7 +111,7 @@ static void test_a_fish_that_drops_in_off_centre_rocks_the_bowl(void **state)
     print_message("a fish of 5 g from 25 mm: %.2f mm down, heel %.2f degrees\n",
                   1e3 * (double)(0.012f - lowest_m), (double)heel_rad * 57.3);
     assert_true(lowest_m < 0.0115f);
-    /* The bowl tilts toward the side on which the fish dropped in. */
+    /* The bowl must tilt toward the side on which the fish dropped in. */
     assert_true(heel_rad > 0.3f * F_DEG);
     assert_true(bowl_angles(&bowls[0]).roll_rad == bowls[0].heel_x);
     wait_for(4.0f);
@@ -143,8 +146,8 @@ static void test_a_displaced_bowl_drifts_home_within_some_seconds(void **state)
     bowls[0].position_m.x += 0.10f;
     wait_for(1.0f);
     const float left_m = bowls[0].position_m.x - bowls[0].home_m.x;
-    /* The bowl's mooring pulls softly, like an elastic thread. After a second the bowl is still
-     * more than 2 cm away. */
+    /* The mooring pulls the bowl back softly, like an elastic thread. After a second the bowl must
+     * still be more than 2 cm away. */
     assert_true(left_m > 0.02f);
     wait_for(5.0f);
     assert_true(f_abs(bowls[0].position_m.x - bowls[0].home_m.x) < 0.003f);
@@ -152,8 +155,8 @@ static void test_a_displaced_bowl_drifts_home_within_some_seconds(void **state)
 
 /* ---- Bowls that are pushed ------------------------------------------------------------------ */
 
-/* Moves a level ring at 0.2 m/s and at height `depth_m`, from 25 cm left of bowl 0 to `to_x_m`.
- * Checks in every tick that the ring is outside every hull. */
+/* Moves a level ring at 0.2 m/s from 25 cm left of bowl 0 to the position `to_x_m`. Its height is
+ * `depth_m`. Checks in every tick that the ring is outside every hull. */
 static void push_with_ring(float depth_m, float to_x_m)
 {
     const struct stall stall = { &tank, bowls, POI_MAX };
@@ -215,9 +218,9 @@ static void test_a_ring_that_rests_on_the_mouth_lowers_the_bowl_a_little(void **
         bowl_buoyancy_tick(&stall, &poi, &live, 1);
         poi_apply_reaction(&poi, &(struct obstacle){ .centre_m = poi.position_m });
         lowest_m = f_min(lowest_m, bowls[0].position_m.y);
-        /* The rim stays at least 2 mm above the water. */
+        /* The rim of the bowl must stay at least 2 mm above the water. */
         assert_true(bowls[0].position_m.y >= 0.002f);
-        /* The ring lies on the rim and must not sink into the bowl. */
+        /* The ring lies on the rim of the bowl and must not sink into the bowl. */
         assert_true(poi.position_m.y > bowls[0].position_m.y);
     }
     assert_true(lowest_m < 0.010f);
@@ -231,7 +234,8 @@ static void test_walls_stop_a_bowl(void **state)
     push_with_ring(0.0f, 0.44f);
     assert_true(bowls[0].position_m.x > 0.36f);
     assert_true(bowls[0].position_m.x <= 0.45f - BOWL_RADIUS_M);
-    /* Throws the bowl at 2 m/s in 600 directions, so that it hits every wall and corner. */
+    /* Throws the bowl at 2 m/s in 600 directions, so that it hits each wall and corner many
+     * times. */
     for (int i = 0; i < 600; i++) {
         bowls[0].velocity_m_s = v3(2.0f * f_cos((float)i), 0.3f, 2.0f * f_sin((float)i));
         wait_for(0.5f);
@@ -267,7 +271,7 @@ static void test_the_fish_in_a_bowl_move_with_it(void **state)
         drop_in(0.04f, 0.004f * (float)i - 0.02f);
     }
     const struct stall stall = { &tank, bowls, POI_MAX };
-    /* Moves the mooring by a large distance, which pulls the bowl across the tank. */
+    /* Moves the mooring far away, which pulls the bowl across the tank. */
     bowls[0].home_m.x = 0.25f;
     for (uint32_t tick = 0; tick < 4u * CORE_TICK_HZ; tick++) {
         bowl_buoyancy_tick(&stall, NULL, NULL, 0);

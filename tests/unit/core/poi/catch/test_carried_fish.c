@@ -1,4 +1,4 @@
-/* test_carried_fish.c -- checks a single fish on the paper of a tilted poi. */
+/* test_carried_fish.c -- checks how a single fish moves on the paper of a tilted poi. */
 #include "tests/unit/support/poi_fixture.h"
 #include "tests/unit/support/pond.h"
 
@@ -13,7 +13,7 @@ static void lay(float heading_rad)
     };
 }
 
-/* Returns a plane with its right side lowered by `roll_rad`. */
+/* Returns the surface of flat paper whose right side is lowered by the angle `roll_rad`. */
 static struct paper_surface tilted(float roll_rad)
 {
     return (struct paper_surface){ .pull_m_s2 = { GRAVITY_M_S2 * f_sin(roll_rad),
@@ -66,7 +66,8 @@ static void test_a_fish_passes_the_3_mm_ring_wall_on_a_steep_slope(void **state)
 static void test_a_head_up_fish_calms_down_sooner(void **state)
 {
     (void)state;
-    /* The head points to the left, the higher side of paper that is rolled to the right. */
+    /* The paper is rolled to the right, so its left side is higher. The head of the fish points to
+     * the left. */
     lay(0.5f * F_PI);
     carried.vigour = 1.0f;
     ride_for(18.0f * F_DEG, 1.0f);
@@ -106,7 +107,8 @@ static void test_the_tail_is_behind_the_nose(void **state)
     lay(0.0f);
     carried_fish_tail(&carried, 0.05f, &x, &z);
     assert_float_equal(x, 0.0f, 1e-6f);
-    /* The head points to -z, so the tail is 21 mm from the middle toward +z. */
+    /* The head of the fish points to -z, so the tail is 21 mm from the middle of the body toward
+     * +z. */
     assert_float_equal(z, 0.021f, 1e-6f);
     const struct basis level = vec_basis_from_angles((struct angles){ 0.0f, 0.0f, 0.0f });
     carried.heading_rad = 1.0f;
@@ -135,12 +137,13 @@ static void test_slaps_move_a_fish_down_a_slope_that_friction_would_hold(void **
         shaken += carried.x_m;
     }
     assert_float_equal(still, 0.0f, 0.0f);
-    /* On average, the slaps move the fish more than 10 mm down the slope (to the right). */
+    /* The slaps must move the fish by more than 10 mm on average. They move it down the slope, to
+     * the right. */
     assert_true(shaken / 20.0f > 0.010f);
 }
 
-/* Lays 50 fish on the paper one after another, each 20 mm beside the middle, and lets each slap for
- * `seconds`. Returns their mean distance from the middle at the end. */
+/* Lays 50 fish on the paper, one after another, each 20 mm beside the middle. Each fish slaps for
+ * `seconds` seconds. Returns their mean distance from the middle at the end. */
 static float drawn_in_m(float belly_m, float give_per_n, float seconds)
 {
     struct paper_surface ride = tilted(0.0f);
@@ -202,7 +205,7 @@ static void test_paper_that_sags_around_a_fish_calms_it(void **state)
     (void)state;
     const float flat = vigour_after(0.0f), cradled = vigour_after(0.003f);
     assert_float_equal(1.0f - cradled, 1.45f * (1.0f - flat), 0.15f * (1.0f - flat));
-    /* Paper that bulges upward does not surround the fish, so it must not calm the fish. */
+    /* Paper that bulges upward does not surround the fish. It must therefore not calm the fish. */
     assert_true(vigour_after(-0.003f) >= flat);
 }
 
@@ -215,7 +218,7 @@ static void test_a_fish_lies_in_the_belly_and_not_over_it(void **state)
     lay(0.0f);
     carried_fish_pose(&carried, &ride, v3(0.0f, 0.0f, 0.0f), &level, &fish);
     assert_float_equal(fish.position_m.y, 0.002f, 1e-6f);
-    /* At the ring the paper does not sag, so the fish lies 3 mm higher than in the middle. */
+    /* The paper does not sag at the ring, so the fish lies 3 mm higher there than in the middle. */
     carried.x_m = 0.040f;
     carried_fish_pose(&carried, &ride, v3(0.0f, 0.0f, 0.0f), &level, &fish);
     assert_float_equal(fish.position_m.y, 0.005f, 1e-6f);

@@ -1,15 +1,16 @@
-/* test_carried_water.c -- checks the water that a poi lifts out of the tank: its amount, how it
- * drains, and that no water is created. */
+/* test_carried_water.c -- checks the water that a poi lifts out of the tank: the amount of water,
+ * how it drains, and that no water is created. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/base/rng.h"
 #include "core/poi/catch/carried_fish.h"
 #include "core/poi/ring.h"
 
-static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
+/* The fixture is static, because the struct is too large for some stacks. */
+static struct poi_fixture fixture;
 
-/* Dips the poi, turns it, lifts it slowly out of the water and holds it in the air for
- * `seconds`. */
+/* Dips the poi, turns it to the pitch `pitch_rad`, lifts it slowly out of the water, and holds it
+ * in the air for `seconds` seconds. */
 static void lift_out(float pitch_rad, float speed_m_s, float seconds)
 {
     fixture_dip(&fixture);
@@ -24,7 +25,8 @@ static void test_a_level_poi_carries_a_film_and_a_pool(void **state)
     (void)state;
     fixture_init(&fixture, 6, 1);
     lift_out(0.0f, 0.15f, 0.3f);
-    /* A water film of 0.3 mm on both faces of the paper (50 cm^2 each) weighs 3 g. */
+    /* The film of water is 0.3 mm thick on both faces of the paper (50 cm^2 each). It weighs 3
+     * g. */
     assert_float_equal(fixture.poi.film_kg, 0.003f, 0.0005f);
     const float belly_kg = 0.5f * F_PI * 0.04f * 0.04f * fixture.poi.sheet.sag_m * WATER_KG_M3;
     assert_true(fixture.poi.pool_kg > 0.9f * belly_kg);
@@ -41,8 +43,8 @@ static void test_a_tilted_poi_drains_in_0_15_s_over_the_sine(void **state)
     for (uint32_t i = 0; i < 3; i++) {
         fixture_init(&fixture, 6, 1);
         fixture.poi.angles.pitch_rad = fixture.hand.angles.pitch_rad = tilts_rad[i];
-        /* Puts 5 g of water on the poi, as after a lift. After the time constant `tau_s`, 1/e (36.8
-         * %) of the water must be left. */
+        /* Puts 5 g of water on the paper, as after a lift. After the time constant `tau_s`, 1/e
+         * (36.8 %) of the water must be left. */
         fixture.poi.pool_kg = 0.005f;
         const float tau_s = 0.15f / f_sin(tilts_rad[i]);
         for (float s = 0.0f; s < tau_s; s += CORE_TICK_S) {
@@ -62,7 +64,7 @@ static void test_an_inverted_ring_holds_15_g_and_spills_them_when_it_turns(void 
     assert_true(sheet_left(&fixture.poi.sheet) == 1.0f);
     assert_float_equal(fixture.force.force_n.y,
                        -(POI_MASS_KG + fixture.poi.water_kg) * GRAVITY_M_S2, 0.01f);
-    /* The upside-down poi holds the water on the back of its paper, and the weight of the water
+    /* The poi is upside down and holds the water on the back of its paper. The weight of this water
      * presses on the paper. */
     assert_true(fixture.poi.pressure_pa > 25.0f);
     fixture_turn(&fixture, F_PI - 1.0f, 0.0f, 0.2f);
@@ -120,8 +122,8 @@ static void test_a_torn_poi_loses_its_water_through_the_holes(void **state)
 
 /* ---- The meniscus --------------------------------------------------------------------------- */
 
-/* Lifts the ring out of the water with a tilt. Returns the greatest pull of the meniscus, the water
- * that clings to the ring. */
+/* Lifts the ring, tilted by `pitch_rad`, out of the water. Returns the greatest pull of the
+ * meniscus, which is the water that clings to the ring. */
 static float most_meniscus_n(float pitch_rad, float *hand_n)
 {
     fixture_init(&fixture, 4, 1);
@@ -132,7 +134,8 @@ static float most_meniscus_n(float pitch_rad, float *hand_n)
     float most_n = 0.0f;
     *hand_n = 0.0f;
     for (uint32_t tick = 0; tick < ticks; tick++) {
-        fixture.hand.position_m.y += 0.0003f; /* Lifts the ring by 0.3 mm per tick, at 36 mm/s. */
+        /* Lifts the ring by 0.3 mm in this tick, which is 36 mm/s. */
+        fixture.hand.position_m.y += 0.0003f;
         fixture_tick(&fixture);
         const float weight_n =
             (POI_MASS_KG + fixture.poi.water_kg) * GRAVITY_M_S2 * (1.0f - fixture.poi.immersed);
@@ -142,7 +145,7 @@ static float most_meniscus_n(float pitch_rad, float *hand_n)
         }
     }
     assert_true(fixture.poi.position_m.y > 0.05f);
-    /* At 5 cm above the water the meniscus is broken. */
+    /* The ring is 5 cm above the water, so the meniscus has broken. */
     assert_float_equal(fixture.poi.meniscus_n, 0.0f, 0.0f);
     return most_n;
 }
@@ -153,7 +156,8 @@ static void test_the_meniscus_pulls_a_level_ring_more_than_a_slanted_one(void **
     float level_n, slanted_n;
     const float level = most_meniscus_n(0.0f, &level_n);
     const float slanted = most_meniscus_n(0.6f, &slanted_n);
-    /* The meniscus has two faces, inside and outside of the ring, which pull with 18 mN each. */
+    /* The meniscus has two faces, one inside and one outside the ring, which pull with 18 mN
+     * each. */
     assert_float_equal(level, 2.0f * F_TAU * 0.04f * 0.072f, 1e-4f);
     assert_true(slanted < 0.35f * level);
     assert_float_equal(level_n, level, 0.4f * level);

@@ -1,4 +1,5 @@
-/* test_catch.c -- checks which fish are caught on the paper and which are only pushed by it. */
+/* test_catch.c -- checks which fish are caught on the paper, and which fish the paper only
+ * pushes. */
 #include "core/poi/poi_fields.h"
 #include "core/tank/collision/obstacle.h"
 #include "core/tank/tank_fields.h"
@@ -87,7 +88,7 @@ static void test_a_fish_above_is_never_left_below(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 6; i++) {
-        /* Strong, dry paper does not tear, so no fish can pass through a hole. */
+        /* Uses strong, dry paper, which does not tear, so that no fish can pass through a hole. */
         fixture_init(&fixture, 4, i);
         fixture.hand.position_m = fixture.poi.position_m = v3(0.0f, -0.13f, 0.0f);
         fixture.hand.angles.roll_rad = 0.15f * (float)i;
@@ -152,7 +153,8 @@ static void test_a_careless_scooper_loses_it_after_a_few(void **state)
     for (uint32_t seed = 0; seed < 40; seed++) {
         total += careless_scoops(seed);
     }
-    /* At real stalls, visitors catch one and a half to three fish with one poi. */
+    /* Visitors of real stalls catch one and a half to three fish with one poi. The careless player
+     * of this test must catch as many on average. */
     assert_in_range(total, 40u * 3u / 2u, 40u * 3u);
 }
 
@@ -174,7 +176,7 @@ static void test_a_replaced_poi_releases_its_fish(void **state)
     poi_init(&fixture.poi, 6, fixture.poi.position_m, 9);
     fixture_tick(&fixture);
     assert_int_equal(fixture.tank.fish[fish].holder, FISH_HOLDER_WATER);
-    /* After 0.2 s the fish has left the ring and swims. */
+    /* After 0.2 s, the fish must have left the ring and swim. */
     fixture_wait(&fixture, 0.2f);
     assert_int_not_equal(fixture.tank.fish[fish].gait, GAIT_HELD);
     assert_true(fixture.tank.fish[fish].position_m.y < 0.0f);
@@ -197,8 +199,8 @@ static void crowd_the_paper(uint32_t seed)
     }
 }
 
-/* Returns 1 for a fish above the paper, -1 below it, and 0 for a fish that is beside the paper or
- * at a hole. */
+/* Returns 1 for a fish above the paper, and -1 for a fish below it. Returns 0 for a fish that is
+ * beside the paper or at a hole. */
 static int side_of_paper(const struct fish *fish)
 {
     const struct basis axes = vec_basis_from_angles(fixture.poi.angles);
@@ -228,7 +230,7 @@ static void test_fish_for_which_the_paper_has_no_room_do_not_pass_through_it(voi
         }
         assert_true(most >= POI_CARRIED_MAX - 1u || sheet_left(&fixture.poi.sheet) < 1.0f);
         full += most == POI_CARRIED_MAX;
-        /* Each fish that is not carried must be under water, and not lie on the ring. */
+        /* Each fish that is not carried must be under water, and must not lie on the ring. */
         for (uint32_t k = 0; k < fixture.tank.fish_count; k++) {
             const struct fish *fish = &fixture.tank.fish[k];
             assert_true(rides(k) || fish->position_m.y < 0.0f);
@@ -250,8 +252,8 @@ static void test_more_fish_than_the_poi_can_carry_spill_over_the_ring(void **sta
     uint8_t rode[POI_CARRIED_MAX + 8u], swam[POI_CARRIED_MAX + 8u] = { 0 };
     for (uint32_t i = 0; i < fixture.tank.fish_count; i++) {
         rode[i] = rides(i);
-        /* Each fish that is not carried must be under water. Such a fish must neither lie on the
-         * ring nor stay in the air. */
+        /* Each fish that is not carried must be under water. It must neither lie on the ring nor
+         * stay in the air. */
         if (!rode[i]) {
             assert_true(fixture.tank.fish[i].position_m.y < 0.0f);
         }
@@ -263,12 +265,13 @@ static void test_more_fish_than_the_poi_can_carry_spill_over_the_ring(void **sta
         }
     }
     for (uint32_t i = 0; i < fixture.tank.fish_count; i++) {
-        /* Half a second later, each fish is either carried or swims. */
+        /* After half a second, each fish must be carried or swim. */
         assert_true(rode[i] || swam[i]);
     }
 }
 
-/* Returns how far a fish's body is outside the tank's walls, in metres; negative inside. */
+/* Returns by how many metres the body of a fish is outside the tank's walls. The result is negative
+ * if the body is inside. */
 static float out_of_walls_m(const struct fish *fish)
 {
     const struct box box = fish_box(fish);
@@ -328,8 +331,8 @@ static void test_a_fish_over_the_edge_of_the_ring_stays_on_its_side(void **state
     const struct box box = fish_box(&fixture.tank.fish[fish]);
     struct body body = body_of(&box, 0.0f);
     const vec3 before_m = body.centre_m;
-    /* In one tick the fish moves 6 cm, from above the paper to below it. The paper must still push
-     * the fish back upward. */
+    /* Moves the fish by 6 cm in one tick, from above the paper to below it. The paper must still
+     * push the fish upward. */
     body.centre_m.y -= 0.06f;
     assert_true(obstacle_paper_push(&ring, &body, before_m).y > 0.01f);
 }
@@ -342,7 +345,7 @@ static void test_sounds_follow_the_events_without_repetition(void **state)
     fixture_add_fish(&fixture, v3(0.0f, -0.10f, 0.0f), FISH_M);
     for (uint32_t tick = 0; tick < 8u * CORE_TICK_HZ; tick++) {
         fixture.hand.position_m.y = tick < 2u * CORE_TICK_HZ ? -0.13f : 0.06f;
-        /* For the first second the poi is in the water 20 cm beside the fish. Afterwards the poi
+        /* During the first second the poi is in the water 20 cm beside the fish. Afterwards it
          * moves under the fish. */
         fixture.hand.position_m.x = tick < CORE_TICK_HZ ? 0.2f : 0.0f;
         fixture_tick(&fixture);
@@ -356,7 +359,8 @@ static void test_sounds_follow_the_events_without_repetition(void **state)
     assert_int_equal(heard[SOUND_LIFT], 1);
 }
 
-/* Returns the number of creaks in two seconds of paper with the damage `damage` in one cell. */
+/* Returns how often the paper creaks in two seconds. One cell of the paper has the damage
+ * `damage`. */
 static uint32_t creaks(float damage, bool damage_immune)
 {
     uint32_t count = 0;

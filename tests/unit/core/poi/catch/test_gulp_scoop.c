@@ -3,8 +3,8 @@
  *
  * Players at real stalls prefer slow or gulping fish near the surface. The 2013 thesis (section
  * 2.3) explains that a shallow scoop loads the paper less. The test makes the same scoop at a
- * single fish in both states: the poi enters the water beside it at a slant, moves level under it
- * and rises. */
+ * single fish in both states. The poi enters the water beside the fish at a slant, moves level
+ * under the fish, and rises. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,9 +17,10 @@
 #include "core/tank/behavior/surface_breathing.h"
 
 #define TRIALS 60u
-#define UNDER_M 0.022f  /* Distance of the paper below the lowest point of the fish. */
+/* Height of the fish's lowest point above the paper. */
+#define UNDER_M 0.022f
 #define BESIDE_M 0.085f /* Distance from the fish at which the poi enters the water. */
-/* Speed of the player's motion. At this speed most fish at mid depth flee. */
+/* Speed of the player's motion. At this speed, most fish at mid depth flee. */
 #define HAND_M_S 0.30f
 #define FISH_M 0.05f
 
@@ -31,7 +32,8 @@ static uint32_t now;
 
 struct outcome {
     uint32_t caught, fled;
-    float strain_n_s_m; /* Integral of the paper's tension over time. */
+    /* Integral of the tension of the paper over time. */
+    float strain_n_s_m;
 };
 
 static void step(struct poi_target hand, struct outcome *sum)
@@ -49,8 +51,8 @@ static void step(struct poi_target hand, struct outcome *sum)
     now++;
 }
 
-/* Moves the poi at `m_s` until it is at the height `at_m.y`, and `at_m.x` and `at_m.z` beside the
- * fish, which may swim meanwhile. */
+/* Moves the poi at the speed `m_s` until it is at the height `at_m.y`, at the distances `at_m.x`
+ * and `at_m.z` from the fish. The fish may swim meanwhile. */
 static void follow(const struct fish *fish, vec3 at_m, float pitch_rad, float m_s,
                    struct poi_target *hand, struct outcome *sum)
 {
@@ -92,8 +94,8 @@ static void scoop(const struct fish *fish, struct outcome *sum)
     sum->strain_n_s_m += one.strain_n_s_m;
 }
 
-/* Waits until a single fish of 5 cm, in 12 cm of water, is in the required state: calm at mid
- * depth, or gulping. */
+/* Waits until the only fish of the tank is in the required state: gulping if `gulps` is set,
+ * otherwise calm at mid depth. The fish is 5 cm long and the water 12 cm deep. */
 static const struct fish *wait_for_fish(uint32_t seed, int gulps)
 {
     struct tank_config config = tank_config_of(TANK_PRESET_FESTIVAL);
@@ -104,7 +106,8 @@ static const struct fish *wait_for_fish(uint32_t seed, int gulps)
     assert_true(tank_open(&tank, &config));
     struct fish *fish = &tank.fish[0];
     fish_grow(fish, FISH_M, tank_behavior_params(&tank));
-    fish->stamina = 0.6f; /* With this stamina, a fish that does not gulp swims at mid depth. */
+    /* With this stamina, the fish swims at mid depth when it does not gulp. */
+    fish->stamina = 0.6f;
     now = 0;
     for (; now < 120u * CORE_TICK_HZ; now++) {
         tank_tick(&tank, now, NULL, 0);

@@ -1,5 +1,5 @@
-/* test_landing.c -- checks how fish land in a bowl, which player owns them, and which fouls are
- * detected. */
+/* test_landing.c -- checks how fish land in a bowl, for which player they count, and which fouls
+ * are detected. */
 #include "core/poi/catch/capture.h"
 #include "tests/unit/support/poi_fixture.h"
 
@@ -18,7 +18,7 @@ static void test_a_fish_tipped_over_the_bowl_lands_and_counts_once(void **state)
         const uint32_t fish = lifted(4, seed, 0.0f);
         fixture_move(&fixture, v3(0.20f, 0.05f, 0.10f), 0.3f);
         assert_int_equal(fixture.landed, 0);
-        /* 35 mm is the height at which a mouse holds the poi. The ring is then just above the
+        /* Holds the ring at 35 mm, as a mouse does. At this height the ring is just above the
          * bowl. */
         fixture_move(&fixture, v3(0.30f, 0.035f, 0.15f), 0.3f);
         fixture_wait(&fixture, 1.5f);
@@ -30,7 +30,7 @@ static void test_a_fish_tipped_over_the_bowl_lands_and_counts_once(void **state)
         assert_int_equal(fixture.bowl.fish_count, fixture.landed);
         assert_int_equal(fixture.poi.carried_count, 0);
     }
-    /* Up to three of the 60 fish may slip off before they reach the bowl. */
+    /* Up to three of the 60 fish may slip off the paper before they reach the bowl. */
     assert_in_range(landed, 57, 60);
 }
 
@@ -80,12 +80,12 @@ static void test_a_landing_requires_the_ring_wholly_above_the_water(void **state
     lifted(4, 1, 0.0f);
     assert_int_equal(fixture.poi.carried_fish[0].clear_ticks, CARRIED_CLEAR_TICKS);
     fixture.has_wrist = 1;
-    /* At this tilt, the lowest point of the ring is 20 mm below its centre. */
+    /* Tilts the ring, so that its lowest point is 20 mm below its centre. */
     fixture_turn(&fixture, 0.0f, 25.0f * F_DEG, 0.3f);
     fixture_move(&fixture, v3(0.0f, 0.028f, 0.0f), 0.2f);
     fixture_wait(&fixture, 0.2f);
     assert_int_equal(fixture.poi.carried_fish[0].clear_ticks, CARRIED_CLEAR_TICKS);
-    /* The centre is at 16 mm, so the lowest point of the ring is 4 mm under water. */
+    /* The centre of the ring is at 16 mm, so the lowest point of the ring is 4 mm under water. */
     fixture_move(&fixture, v3(0.0f, 0.016f, 0.0f), 0.2f);
     fixture_wait(&fixture, 0.2f);
     assert_int_equal(fixture.poi.carried_count, 1);
@@ -100,8 +100,8 @@ static void test_a_landing_requires_the_ring_wholly_above_the_water(void **state
     assert_in_range(ticks, CARRIED_CLEAR_TICKS, CORE_TICK_HZ / 2u);
 }
 
-/* The ring is beside the bowl. Its far edge is above the bowl's mouth, but its near edge is still
- * in the water. Pouring a fish in from such a ring is a foul. */
+/* The ring is beside the bowl. Its far edge is above the opening of the bowl, but its near edge is
+ * still in the water. It is a foul to pour a fish into the bowl from such a ring. */
 static void test_a_fish_from_a_ring_in_the_water_is_poured(void **state)
 {
     (void)state;
@@ -111,18 +111,20 @@ static void test_a_fish_from_a_ring_in_the_water_is_poured(void **state)
     fixture.hand = (struct poi_target){ fixture.poi.position_m, fixture.poi.angles };
     fixture.has_wrist = 1;
     struct carried_fish *carried = fixture_place_fish(&fixture, 0.03f, 0.035f, 0.0f, 0.0f);
-    /* The fish slides up the slope at 0.8 m/s, fast enough to fly over the edge into the bowl. */
+    /* Lets the fish slide up the slope at 0.8 m/s, which is fast enough to fly over the edge into
+     * the bowl. */
     carried->slide_x_m_s = 0.8f;
     fixture_wait(&fixture, 0.5f);
     assert_int_equal(fixture.poured, 1);
     assert_int_equal(fixture.landed, 0);
-    /* The fish is in the bowl, but does not count as landed. */
+    /* The fish is in the bowl, but it does not count as landed. */
     assert_int_equal(fixture.bowl.fish_count, 1);
 }
 
-/* Returns 1 if a fish is walled, which means that the ring presses it against a wall (a foul). The
- * ring is level and `gap_m` from the right wall, and the fish is `fish_gap_m` from this wall. The
- * player's target is `press_m` nearer to the wall than the ring. */
+/* Returns 1 if a fish is walled, which is a foul: the ring presses the fish against a wall. The
+ * ring is level and at the distance `gap_m` from the right wall, and the fish is at the distance
+ * `fish_gap_m` from this wall. The player's target is nearer to the wall than the ring by
+ * `press_m`. */
 static int is_walled(float gap_m, float press_m, float speed_m_s, float fish_gap_m)
 {
     fixture_init(&fixture, 4, 1);
@@ -139,22 +141,23 @@ static int is_walled(float gap_m, float press_m, float speed_m_s, float fish_gap
 static void test_a_fish_between_a_wall_and_a_pressing_ring_is_walled(void **state)
 {
     (void)state;
-    /* Walled (the fish is trapped between the ring and a wall): the ring is 5 mm from the wall, and
-     * the player presses the ring toward the wall. */
+    /* The fish is walled (trapped between ring and wall), because the ring is 5 mm from the wall
+     * and the player presses it toward the wall. */
     assert_true(is_walled(0.005f, 0.010f, 0.0f, 0.005f));
-    /* Walled: the ring is 12 mm from the wall and moves toward the wall at 0.10 m/s. */
+    /* The fish is walled, because the ring is 12 mm from the wall and moves toward the wall at 0.10
+     * m/s. */
     assert_true(is_walled(0.012f, 0.0f, 0.10f, 0.005f));
-    /* Not walled: the player does not press the ring toward the wall. */
+    /* The fish is not walled, because the player does not press the ring toward the wall. */
     assert_false(is_walled(0.005f, 0.0f, 0.0f, 0.005f));
     assert_false(is_walled(0.005f, -0.02f, -0.1f, 0.005f));
-    /* Not walled: the ring is too far from the wall (25 mm). */
+    /* The fish is not walled, because the ring is too far from the wall (25 mm). */
     assert_false(is_walled(0.025f, 0.010f, 0.10f, 0.005f));
-    /* Not walled: the fish is too far from the wall (30 mm). */
+    /* The fish is not walled, because it is too far from the wall (30 mm). */
     assert_false(is_walled(0.005f, 0.010f, 0.10f, 0.030f));
 }
 
-/* Scoops a fish that is 12 mm from the right wall, and lifts it while moving to `to_x_m`. Returns 0
- * if the fish is not caught, 1 if it is caught, and 2 if it is caught as walled. */
+/* Scoops a fish that is 12 mm from the right wall, and moves to `to_x_m` during the lift. Returns 0
+ * if the fish is not caught, 1 if it is caught, and 2 if it is caught but walled. */
 static uint32_t scooped(float to_x_m)
 {
     fixture_init(&fixture, 4, 3);
@@ -182,8 +185,8 @@ static int is_in_hull(const struct bowl *bowl, vec3 point_m)
     return at.y <= 0.0f && at.y > -BOWL_DEPTH_M && at.x * at.x + at.z * at.z < radius_m * radius_m;
 }
 
-/* Lets a fish fall from the poi of player 0 at `from_m`. Two bowls float in the tank, one of each
- * player. Returns the gait of the fish after the fall. */
+/* Lets a fish fall from the poi of player 0 at the position `from_m`. Two bowls float in the tank,
+ * one for each player. Returns the gait of the fish after the fall. */
 static uint8_t fell_at(vec3 from_m, struct catch_result results[POI_MAX], struct bowl bowls[2])
 {
     fixture_init(&fixture, 4, 1);
@@ -212,7 +215,7 @@ static void test_a_fish_belongs_to_the_bowl_it_lies_in(void **state)
     struct catch_result results[POI_MAX];
     struct bowl bowls[2];
     assert_int_equal(fell_at(v3(0.2f, 0.06f, 0.02f), results, bowls), GAIT_BOWL);
-    /* The fish falls into the bowl of player 1, so it counts for player 1. */
+    /* The fish has fallen into the bowl of player 1, so it counts for player 1. */
     assert_int_equal(results[1].landed, 1);
     assert_int_equal(results[0].landed + results[0].poured + results[0].walled, 0);
     assert_int_equal(bowls[1].fish_count, 1);
@@ -230,7 +233,8 @@ static void test_a_foul_counts_for_the_player_who_caused_it(void **state)
     catch_count(&carried, 2, 3, results);
     assert_int_equal(results[2].poured, 1);
     assert_int_equal(results[3].poured + results[3].landed, 0);
-    /* The fish is in bowl 3 and counts as content of bowl 3, but the foul is that of player 2. */
+    /* The fish is in bowl 3 and counts as content of bowl 3. The foul, however, belongs to player
+     * 2. */
     assert_int_equal(results[3].bowled, 1);
     assert_int_equal(results[2].bowled, 0);
 }

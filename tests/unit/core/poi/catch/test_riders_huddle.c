@@ -1,12 +1,13 @@
-/* test_riders_huddle.c -- checks that several fish on one paper move apart. */
+/* test_riders_huddle.c -- checks that several fish on the same paper move apart. */
 #include "core/poi/catch/carried_fish.h"
 #include "tests/unit/support/poi_fixture.h"
 
 static struct poi_fixture fixture;
 
-/* Returns the overlap of two carried fish in the plane of the paper, in metres; 0 or less means no
- * overlap. A fish is modelled as a capsule: the axis is 0.60 body lengths long, and the radius is
- * 0.36 of its height or width. The distance is measured at 41 points of the axis. */
+/* Returns the overlap of two carried fish in the plane of the paper, in metres; 0 or less means
+ * that they do not overlap. Each fish is modelled as a capsule. The axis of the capsule is 0.60
+ * body lengths long, and its radius is 0.36 of the height or width of the fish. The distance is
+ * measured at 41 points of the axis. */
 static float overlap_m(const struct carried_fish *a, const struct carried_fish *b)
 {
     const struct fish *fish_a = &fixture.tank.fish[a->fish], *fish_b = &fixture.tank.fish[b->fish];
@@ -25,7 +26,7 @@ static float overlap_m(const struct carried_fish *a, const struct carried_fish *
            least_m;
 }
 
-/* Returns the deepest overlap of two carried fish. */
+/* Returns the deepest overlap of any two carried fish in metres. */
 static float worst_m(void)
 {
     const struct poi *poi = &fixture.poi;
@@ -55,7 +56,7 @@ static void test_overlapping_carried_fish_soon_lie_side_by_side(void **state)
         lay_a_heap(count, 0.045f);
         assert_true(worst_m() > 0.005f);
         fixture_wait(&fixture, 0.4f);
-        /* Up to four of these fish fit on the paper, so none is pushed off. */
+        /* Up to four of these fish fit on the paper, so none of them may be pushed off. */
         assert_int_equal(fixture.poi.carried_count, count);
         assert_true(worst_m() < 0.0015f);
     }
@@ -98,7 +99,7 @@ static void test_the_ring_stops_a_carried_fish_that_is_pushed_against_it(void **
 static void test_carried_fish_without_room_are_pushed_over_the_ring(void **state)
 {
     (void)state;
-    /* 16 fish of 6 cm need twice the area of the paper. */
+    /* 16 fish of 6 cm would need twice the area of the paper, so some must fall off. */
     lay_a_heap(16, 0.06f);
     fixture_wait(&fixture, 2.0f);
     print_message("of 16 fish of 6 cm %u stay\n", fixture.poi.carried_count);

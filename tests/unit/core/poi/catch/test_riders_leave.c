@@ -1,5 +1,5 @@
-/* test_riders_leave.c -- checks how fish leave a poi: by sliding off tilted paper, by flopping over
- * the ring, or by swimming off. */
+/* test_riders_leave.c -- checks how fish leave a poi. They slide off tilted paper, flop over the
+ * ring, or swim off. */
 #include "tests/unit/support/poi_fixture.h"
 
 static struct poi_fixture fixture;
@@ -18,7 +18,7 @@ static void test_a_fish_tipped_over_the_tank_slides_off_and_swims(void **state)
     assert_int_equal(fixture.poi.carried_count, 0);
     assert_int_equal(fixture.landed, 0);
     assert_true(fixture.tank.fish[fish].position_m.y < 0.0f);
-    /* The right side is lower, so the fish slides off to the right (x > 0). */
+    /* The right side of the paper is lower, so the fish must slide off to the right (x > 0). */
     assert_true(fixture.tank.fish[fish].position_m.x > 0.0f);
 }
 
@@ -43,7 +43,7 @@ static void test_a_fish_near_the_ring_flops_out_more_often_than_one_in_the_middl
         fixture_lift(&fixture, 4, seed, 0.0f, -0.5f * F_PI);
         fixture_wait(&fixture, 2.0f);
         middle += fixture.poi.carried_count;
-        /* The fish lies near the ring with its head outward. */
+        /* The fish lies near the ring, and its head points outward. */
         fixture_lift(&fixture, 4, seed, 0.034f, -0.5f * F_PI);
         fixture_wait(&fixture, 2.0f);
         rim += fixture.poi.carried_count;
@@ -52,15 +52,15 @@ static void test_a_fish_near_the_ring_flops_out_more_often_than_one_in_the_middl
     assert_in_range(rim, 20, middle - 1u);
 }
 
-/* Returns how many of 20 fish stay on a poi that a controller holds tilted by `tilt_rad` over the
- * bowl for one second. */
+/* Tilts a poi by `tilt_rad` over the bowl for one second, 20 times with one fish each. Returns how
+ * many of the 20 fish stay on the paper. */
 static uint32_t kept_at(float tilt_rad)
 {
     uint32_t kept = 0;
     for (uint32_t seed = 0; seed < 20; seed++) {
         fixture_init(&fixture, 4, seed);
         fixture_dip(&fixture);
-        /* The fish rests in the water, so it is still calm when it is lifted. */
+        /* The fish rests in the water before the lift, so it is still calm when it is lifted. */
         fixture_add_fish(&fixture, v3(0.0f, -0.045f, 0.005f), 0.045f);
         fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.18f);
         fixture.has_wrist = 1;
@@ -82,11 +82,12 @@ static void test_a_poi_with_controller_orientation_tips_fish_only_at_a_steep_ang
     assert_int_equal(level, 20);
     assert_true(slight >= 17);
     assert_true(steep <= 1);
-    assert_true(fixture.landed == 1); /* The last of the 20 fish fell into the bowl. */
+    /* In the last of the 20 repetitions, the fish fell into the bowl. */
+    assert_true(fixture.landed == 1);
 }
 
-/* Returns how many of 24 fish, one in each repetition, a poi lifts out of the water at
- * `lift_m_s`. */
+/* Lifts a poi with one fish out of the water at `lift_m_s`, 24 times. Returns how many of the 24
+ * fish stay on the paper. */
 static uint32_t lifted_of_24(int is_wild, float lift_m_s)
 {
     uint32_t kept = 0;

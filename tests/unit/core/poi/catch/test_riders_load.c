@@ -1,5 +1,5 @@
 /* test_riders_load.c -- checks how carried fish load the paper, and when a fish falls through a
- * hole. */
+ * hole in the paper. */
 #include "core/poi/catch/carried_fish.h"
 #include "tests/unit/support/poi_fixture.h"
 
@@ -34,7 +34,7 @@ static void test_a_surprised_fish_slaps_with_half_the_force(void **state)
     const float wild = fixture.poi.carried_fish[0].vigour;
     fixture_init(&fixture, 4, 1);
     fixture_dip(&fixture);
-    /* A fish that rested before the lift slaps with only 55 % of the vigour. */
+    /* This fish rested before the lift, so it slaps with only 55 % of the vigour. */
     fixture_add_fish(&fixture, v3(0.0f, -0.045f, 0.005f), 0.045f);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.18f);
     assert_int_equal(fixture.poi.carried_count, 1);
@@ -78,8 +78,7 @@ static void test_all_carried_fish_may_slap_together_and_keep_their_weight(void *
 
 /* ---- Position of a slap --------------------------------------------------------------------- */
 
-/* Puts one fish on a dry poi in the air. The fish's slap of 0.05 N lasts for another `left_s`
- * seconds. */
+/* Puts one fish on a dry poi in the air. The fish slaps with 0.05 N for `left_s` more seconds. */
 static void lay_slapping(float x_m, float heading_rad, float left_s)
 {
     fixture_init(&fixture, 4, 1);
@@ -93,7 +92,8 @@ static void lay_slapping(float x_m, float heading_rad, float left_s)
 static void test_a_slap_loads_the_paper_at_the_tail(void **state)
 {
     (void)state;
-    /* The head points to the left, so the tail slaps 21 mm to the right of the middle. */
+    /* The head of the fish points to the left, so the tail slaps 21 mm to the right of the middle
+     * of the body. */
     lay_slapping(0.0f, 0.5f * F_PI, 0.02f);
     assert_int_equal(fixture.poi.load_count, 2);
     assert_int_equal(fixture.poi.slap_count, 1);
@@ -101,7 +101,8 @@ static void test_a_slap_loads_the_paper_at_the_tail(void **state)
     assert_float_equal(fixture.poi.loads[0].z_m, 0.0f, 1e-5f);
     assert_float_equal(fixture.poi.loads[0].diameter_m, 0.003f, 0.0f);
     assert_float_equal(fixture.poi.loads[0].force_n, -0.05f, 0.0f);
-    /* loads[1] is the fish's weight at the middle of its body, spread over 20 mm. */
+    /* The element loads[1] is the fish's weight. It acts at the middle of the body and is spread
+     * over 20 mm. */
     assert_float_equal(fixture.poi.loads[1].x_m, 0.0f, 0.0f);
     assert_float_equal(fixture.poi.loads[1].diameter_m, 0.020f, 0.0f);
     assert_float_equal(fixture.poi.loads[1].force_n, -0.0285f, 0.001f);
@@ -121,8 +122,9 @@ static void test_a_slap_lasts_20_ms_with_subtick_precision(void **state)
 static void test_a_tail_beyond_the_ring_slaps_no_paper_but_kicks_the_body(void **state)
 {
     (void)state;
-    /* The body is 25 mm from the middle of the paper and the tail 46 mm, beyond the paper's radius
-     * of 40 mm. The tail therefore hits no paper, and the force of the slap acts at the body. */
+    /* The body is 25 mm from the middle of the paper. The tail is at 46 mm, which is beyond the
+     * paper's radius of 40 mm, so it does not hit the paper. The force of the slap must therefore
+     * act at the body. */
     lay_slapping(0.025f, 0.5f * F_PI, 0.02f);
     assert_int_equal(fixture.poi.load_count, 2);
     assert_float_equal(fixture.poi.loads[0].x_m, 0.025f, 0.0f);
@@ -143,8 +145,8 @@ static void test_a_tail_over_a_hole_slaps_no_paper(void **state)
     assert_float_equal(fixture.poi.loads[0].diameter_m, 0.020f, 0.0f);
 }
 
-/* Returns the highest tension of paper that carries water and a fish in the air. The fish slaps if
- * `left_s` is above 0. */
+/* Returns the highest tension of the paper while it carries water and a fish in the air. If
+ * `left_s` is above 0, the fish slaps. */
 static float hardest_n_m(float x_m, float left_s)
 {
     lay_slapping(x_m, 0.5f * F_PI, left_s);
@@ -174,7 +176,8 @@ static void test_a_fish_captured_near_the_ring_has_its_tail_beyond_it(void **sta
         fixture_init(&fixture, 4, seed);
         fixture_dip(&fixture);
         const uint32_t fish = fixture_add_fish(&fixture, v3(0.030f, -0.045f, 0.0f), 0.045f);
-        /* The head points to the middle of the paper, so the tail is beyond the ring. */
+        /* The head of the fish points to the middle of the paper, so the tail is beyond the
+         * ring. */
         fixture.tank.fish[fish].angles.yaw_rad = 0.5f * F_PI;
         fixture_move(&fixture, v3(0.0f, 0.01f, 0.0f), 0.18f);
         assert_int_equal(fixture.poi.carried_count, 1);
@@ -239,8 +242,8 @@ static void test_a_hole_elsewhere_drops_no_fish(void **state)
     assert_int_equal(fixture.poi.carried_count, 1);
 }
 
-/* Returns 1 if the paper supports a fish of 5 cm at this position. The fish's nose points to the
- * left. */
+/* Returns 1 if the paper supports a fish of 5 cm at the position `x_m`, `z_m`. The head of the fish
+ * points to the left. */
 static int stays(float x_m, float z_m)
 {
     struct carried_fish *carried = fixture_place_fish(&fixture, 0.05f, x_m, z_m, 0.5f * F_PI);
@@ -256,8 +259,10 @@ static void test_a_hole_as_wide_as_the_fish_drops_it_and_a_pinhole_does_not(void
     assert_true(stays(0.0f, 0.0f));
     fixture_tear_hole(&fixture, 0.0f, 0.0f, 0.009f);
     assert_false(stays(0.0f, 0.0f));
-    assert_true(stays(-0.018f, 0.0f)); /* The hole of 9 mm is only under the tail. */
-    assert_true(stays(0.0f, 0.017f));  /* The hole is beside the fish. */
+    /* The hole of 9 mm is only under the tail of this fish. */
+    assert_true(stays(-0.018f, 0.0f));
+    /* The hole is beside this fish. */
+    assert_true(stays(0.0f, 0.017f));
 }
 
 static void test_a_strip_under_the_middle_alone_supports_no_fish(void **state)
@@ -265,7 +270,7 @@ static void test_a_strip_under_the_middle_alone_supports_no_fish(void **state)
     (void)state;
     fixture_init(&fixture, 4, 1);
     fixture_tear_hole(&fixture, -0.016f, 0.0f, 0.013f);
-    /* The hole is under the front half of the fish. The rear half still lies on paper. */
+    /* The hole is under the front half of the fish, but the rear half still lies on paper. */
     assert_true(stays(0.0f, 0.0f));
     fixture_tear_hole(&fixture, 0.016f, 0.0f, 0.013f);
     assert_true(sheet_holds(&fixture.poi.sheet, 0.0f, 0.0f));
@@ -276,11 +281,12 @@ static void test_the_ring_supports_a_fish_without_paper(void **state)
 {
     (void)state;
     fixture_init(&fixture, 4, 1);
-    /* Leaves only a strip of paper 4 mm wide along the ring, whose radius is 40 mm. */
+    /* Leaves only a strip of paper along the ring. The strip is 4 mm wide, because the radius of
+     * the ring is 40 mm. */
     fixture_tear_hole(&fixture, 0.0f, 0.0f, 0.036f);
-    /* The fish lies along the ring, which supports its whole length. */
+    /* The fish lies along the ring, which supports the whole fish. */
     assert_true(stays(0.0f, 0.043f));
-    /* The fish lies across the ring with half of its body over the hole, so it tips over. */
+    /* The fish lies across the ring. Half of its body is over the hole, so the fish tips over. */
     assert_false(stays(0.043f, 0.0f));
     assert_false(stays(0.0f, 0.0f));
     /* The middle of the fish is outside the ring, so the fish slips off. */

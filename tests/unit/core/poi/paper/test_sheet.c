@@ -3,9 +3,9 @@
 #include "tests/unit/support/poi_fixture.h"
 
 #define RADIUS_M 0.040f
-/* Pressure of a resting fish: the weight of 2.9 g on 50 cm^2 of paper. */
+/* Pressure of a resting fish in Pa: 2.9 g on 50 cm^2 of paper. */
 #define STILL_FISH_PA 5.6f
-#define FILM_PA 6.0f /* Pressure of the film of water on wet paper. */
+#define FILM_PA 6.0f /* Pressure of the film of water on wet paper, in Pa. */
 
 static const struct sheet_wetting in_air = { 0.0f, 0.0f, -1.0f };
 static const struct sheet_wetting under_water = { 0.0f, 0.0f, 1.0f };
@@ -252,8 +252,8 @@ static void test_points_outside_the_ring_have_no_paper(void **state)
     assert_false(sheet_holds(&sheet, 0.03f, -0.03f));
 }
 
-/* Samples the disc inside the ring on a grid of points 0.2 mm apart, which is finer than the grid
- * of cells. Counts all points (`asked`) and the points on paper (`held`). */
+/* Samples the disc inside the ring at points that are 0.2 mm apart, which is finer than the grid of
+ * cells. Counts all points (`asked`) and the points that are on paper (`held`). */
 static void count_held(const struct sheet *sheet, uint32_t *held, uint32_t *asked)
 {
     *held = *asked = 0;
@@ -278,8 +278,8 @@ static void test_whole_paper_reaches_the_ring_and_a_bare_ring_has_none(void **st
         sheet.state[cell] = sheet.state[cell] == CELL_PAPER ? CELL_HOLE : sheet.state[cell];
     }
     const uint32_t middle = SHEET_SIDE / 2u * SHEET_SIDE + SHEET_SIDE / 2u;
-    /* Leaves a single cell of paper in the middle. The narrow remains of cells at the ring do not
-     * count as paper. */
+    /* Leaves only one cell of paper, in the middle. The narrow rests of paper at the ring do not
+     * count. */
     sheet.state[middle] = CELL_PAPER;
     sheet.paper_cells = 1;
     count_held(&sheet, &held, &asked);
@@ -308,7 +308,7 @@ static void test_the_stress_map_shows_load_over_strength_and_stress_concentratio
     const float edge = 1.5f * 0.328f / 0.423f * centre;
     assert_float_equal(stress_at(&sheet, middle, middle), centre, 0.01f);
     assert_float_equal(stress_at(&sheet, middle, 0), edge, 0.03f);
-    /* A corner of the grid is outside the round paper and must have no stress. */
+    /* The corner of the grid is outside the round paper, so it must have no stress. */
     assert_float_equal(stress_at(&sheet, 0, 0), 0.0f, 0.0f);
     press(&sheet, 3000.0f, 0.01f);
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
@@ -329,12 +329,12 @@ static void test_stress_factors_multiply_where_the_wet_line_meets_the_ring(void 
     }
     sheet.touched = 1;
     press(&sheet, 40.0f, 0.01f);
-    /* Index of the last wet column. The stress is highest there, at the line between wet and dry
-     * paper. */
+    /* Index of the last wet column, where the stress is highest. It is beside the line between wet
+     * and dry paper. */
     const uint32_t line = SHEET_SIDE / 2u - 1u;
     const float off = stress_at(&sheet, SHEET_SIDE / 2u, line - 4u);
     assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, line) / off, 2.5f, 0.1f);
-    /* Stress at the ring (row 0), two columns away from the wet line. */
+    /* Stress at the ring (row 0), in a column that is two columns away from the wet line. */
     const float ring = stress_at(&sheet, 0, line - 2u);
     assert_float_equal(stress_at(&sheet, 0, line) / ring, 2.5f, 0.15f);
     assert_float_equal(ring / stress_at(&sheet, 3, line - 2u), 1.5f, 0.15f);
@@ -359,8 +359,8 @@ static void test_a_laboratory_sheet_is_uniform_without_stress_concentration(void
     assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, 0) / middle, 0.328f / 0.423f, 0.02f);
 }
 
-/* Examines 200 sheets with random weak spots. Most must have a thin spot. The strength must vary
- * over distances wider than a cell, and the fibres must have all directions. */
+/* Examines 200 sheets with random weak spots. Most sheets must have a thin spot. The strength must
+ * vary over distances greater than a cell, and the fibres must point in all directions. */
 static void test_each_specimen_has_its_own_weak_spots_clouds_and_fibres(void **state)
 {
     (void)state;
@@ -387,11 +387,11 @@ static void test_each_specimen_has_its_own_weak_spots_clouds_and_fibres(void **s
                            1e-4f);
     }
     assert_true(with_spot > 180);
-    /* Strengths of neighbouring cells are correlated by more than 0.4, so weak spots are wider than
-     * a cell. */
+    /* The strengths of neighbouring cells have a correlation above 0.4, because weak spots are
+     * wider than a cell. */
     assert_true(together / squares > 0.4f);
-    /* Strengths of cells 4 cm apart are correlated by less than 0.2, so weak spots are not as wide
-     * as the paper. */
+    /* The strengths of cells at a distance of 4 cm have a correlation below 0.2, because weak spots
+     * are not as wide as the paper. */
     assert_true(apart / squares < 0.2f);
     for (uint32_t i = 0; i < 4; i++) {
         assert_in_range(ways[i], 30, 70);
@@ -416,7 +416,8 @@ static void test_the_danger_rises_with_the_load_and_with_the_damage(void **state
     assert_in_range((int)(100.0f * sheet_warning(&sheet)), 49, 51);
     sheet.damage[cell] = 0.9f;
     assert_float_equal(sheet_warning(&sheet), 1.0f, 0.0f);
-    sheet.state[cell] = CELL_HOLE; /* A cell that has already torn gives no warning. */
+    /* The cell has already torn, so it gives no warning. */
+    sheet.state[cell] = CELL_HOLE;
     assert_float_equal(sheet_warning(&sheet), 0.0f, 0.0f);
 }
 

@@ -14,7 +14,7 @@ static float draw(uint32_t what, uint32_t cell, float low, float high)
     return rng_range((struct rng_key){ 11, what, cell, RNG_TEST }, low, high);
 }
 
-/* Fills the sheet at random: about a tenth of the cells are torn, and the others have a random
+/* Fills the sheet at random. About a tenth of the cells are torn, and the others have a random
  * wetness, damage and softening. Three loads act on the sheet. */
 static void prepare(void)
 {

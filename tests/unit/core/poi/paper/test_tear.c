@@ -1,5 +1,5 @@
-/* test_tear.c -- checks holes in the paper: the stress at their ends, their shape, and paper that
- * comes loose. */
+/* test_tear.c -- checks holes in the paper: the stress at the ends of a hole, its shape, and paper
+ * that comes loose. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/base/rng.h"
@@ -42,21 +42,22 @@ static void test_stress_beside_a_hole_rises_with_the_root_of_its_length(void **s
 {
     (void)state;
     plain(5);
-    /* Diagonal fibres favour neither rows nor columns, so the stress factors depend only on the
-     * length of the slit. */
+    /* Makes the fibres diagonal, so that they favour neither rows nor columns. The stress factors
+     * then depend only on the length of the slit. */
     sheet.fibre_x = sheet.fibre_z = 0.70710678f;
     const float factors[] = { 2.5f, 3.5355f, 4.0f, 4.0f, 4.0f };
     for (uint32_t i = 0; i < 5; i++) {
         cut(MIDDLE, 10u + i);
         assert_float_equal(factor_at(MIDDLE, 11u + i), factors[i], 1e-3f);
         assert_float_equal(factor_at(MIDDLE, 9u), factors[i], 1e-3f);
-        /* A cell that touches no hole has no stress concentration, which is stored as 0. */
+        /* The cell touches no hole, so it has no stress concentration. This is stored as the factor
+         * 0. */
         assert_float_equal(factor_at(MIDDLE, 16u), 0.0f, 0.0f);
     }
     plain(5);
     sheet.fibre_x = sheet.fibre_z = 0.70710678f;
     cut(MIDDLE, MIDDLE);
-    /* Two holes that touch at a corner form one slit, which is 2.8 cells long. */
+    /* The two holes touch at a corner, so they form one slit, which is 2.8 cells long. */
     cut(MIDDLE - 1u, MIDDLE + 1u);
     assert_float_equal(factor_at(MIDDLE, MIDDLE - 1u), 4.0f, 1e-3f);
     assert_float_equal(factor_at(MIDDLE - 1u, MIDDLE + 2u), 4.0f, 1e-3f);
@@ -86,8 +87,8 @@ static void test_hole_measurements_equal_those_of_a_scan_of_each_hole(void **sta
                     c += sign * dc;
                 }
             }
-            /* Diagonal neighbours are farther apart, so a diagonal slit of two cells already has
-             * the highest level, 3. */
+            /* Diagonal neighbours are farther apart than others, so a diagonal slit of two cells
+             * already has the highest level, 3. */
             const int32_t level = way > 1 && length > 1 ? 3 : length;
             best = level > best ? level : best;
         }
@@ -137,8 +138,8 @@ static void test_paper_with_a_slit_detaches_no_cells(void **state)
     }
     assert_int_equal(drop(), 0);
     for (uint32_t column = 0; column < SHEET_SIDE; column++) {
-        /* The slit finally reaches from ring to ring. Both halves are still attached to the ring,
-         * so nothing drops. */
+        /* At the end, the slit reaches from ring to ring. Both halves of the paper are still
+         * attached to the ring, so nothing drops. */
         cut(MIDDLE, column);
     }
     assert_int_equal(drop(), 0);
@@ -163,14 +164,14 @@ static void test_a_flap_carries_no_load(void **state)
 {
     (void)state;
     plain(5);
-    /* Cuts three sides of a flap, which is then attached only at its upper side. */
+    /* Cuts three sides of a rectangular flap. The flap is then attached only at its upper side. */
     for (uint32_t i = 0; i < 9; i++) {
         cut(20, 12u + i);
         cut(12u + i, 12);
         cut(12u + i, 20);
     }
-    /* Most of the 7 x 8 cells drop. The cells at the attached side are held by diagonal
-     * neighbours. */
+    /* Most of the 7 x 8 cells of the flap must drop. The cells at the attached side stay, because
+     * diagonal neighbours hold them. */
     assert_true(drop() >= 30);
     assert_int_equal(state_at(18, 16), CELL_HOLE);
     assert_int_equal(state_at(10, 16), CELL_PAPER);
@@ -188,14 +189,15 @@ static void test_a_hole_reduces_the_load_by_its_area(void **state)
     }
     const float left = sheet_left(&sheet);
     assert_float_equal(left, 0.95f, 0.01f);
-    /* This load has no noticeable weight. A load of exactly 0 would be skipped by sheet_tick(). */
+    /* The weight of this load is negligible. It must not be exactly 0, because sheet_tick() would
+     * then skip it. */
     const struct sheet_load foot = { 0.0f, 0.02f, 0.02f, -1e-6f };
     const struct sheet_events events = sheet_tick(&sheet, 20.0f, in_air, &foot, 1);
     const float whole = sheet_tension_centre(sheet_grade(4), 20.0f * left, RADIUS_M);
     assert_float_equal(events.tension_max_n_m, whole, 0.005f * whole);
 }
 
-/* Returns how many columns a tear from the middle has reached in the middle row. */
+/* Returns the number of columns to which a tear has grown from the middle, in the middle row. */
 static uint32_t reach(void)
 {
     uint32_t far = 0;
@@ -210,7 +212,7 @@ static void test_a_tear_grows_several_cells_a_tick_but_no_faster_than_its_steps(
     (void)state;
     plain(6);
     cut(MIDDLE, MIDDLE);
-    /* A pressure of 250 Pa tears only paper that already has a hole. */
+    /* The pressure of 250 Pa only tears paper that already has a hole. */
     sheet_tick(&sheet, 250.0f, in_air, NULL, 0);
     const uint32_t first = reach();
     assert_in_range(first, 4, SHEET_STEPS_MAX);
@@ -246,8 +248,8 @@ static void test_holes_carry_no_stress_while_they_grow(void **state)
 static void test_paper_breaks_after_the_same_time_in_small_steps_and_large(void **state)
 {
     (void)state;
-    /* At 80 % of its strength, a cell that touches no hole breaks after 0.05 s / 0.8^10 = 0.466 s,
-     * which is 56 ticks. */
+    /* A cell that touches no hole and is loaded to 80 % of its strength breaks after 0.05 s /
+     * 0.8^10 = 0.466 s, which is 56 ticks. */
     plain(5);
     sheet_idealise(&sheet);
     const float goal = 0.8f * sheet_grade(5)->wet_n_m;
@@ -262,8 +264,8 @@ static void test_paper_breaks_after_the_same_time_in_small_steps_and_large(void 
     assert_in_range(ticks, 54, 59);
 }
 
-/* Computes the elongation of the hole from its second moments: the ratio of the longer axis to the
- * shorter, and the angle between the longer axis and the fibres. */
+/* Computes the elongation of the hole from its second moments. Writes the ratio of the longer to
+ * the shorter axis, and the angle between the longer axis and the fibres. */
 static void shape(float *aspect, float *off_rad)
 {
     float n = 0.0f, x = 0.0f, z = 0.0f, xx = 0.0f, xz = 0.0f, zz = 0.0f;
@@ -309,7 +311,8 @@ static void test_holes_are_longer_along_the_fibres(void **state)
     }
     print_message("aspect %.2f, %.0f degrees off\n", (double)aspects, (double)(offs / F_DEG));
     assert_true(aspects > 1.5f);
-    /* Holes in random directions would differ from the fibres by 45 degrees on average. */
+    /* If the holes had random directions, they would differ from the fibres by 45 degrees on
+     * average. */
     assert_true(offs < 20.0f * F_DEG);
 }
 

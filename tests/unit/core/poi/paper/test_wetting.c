@@ -1,5 +1,5 @@
 /* test_wetting.c -- checks water in the paper: wetting, wicking (the spread of water in the paper),
- * the wet line and softening. */
+ * the line between wet and dry paper, and softening. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/poi/paper/strain.h"
@@ -18,8 +18,8 @@ static void soak(struct sheet_wetting wet, float seconds)
     }
 }
 
-/* Returns how far the water has wicked from the water line, in metres: up to the point where the
- * wetness is 0.33, interpolated between cells. */
+/* Returns the distance in metres by which the water has wicked from the water line. The end is the
+ * point where the wetness is 0.33, which is interpolated between cells. */
 static float front_m(void)
 {
     const float *row = &sheet.wetness[MIDDLE * SHEET_SIDE];
@@ -38,19 +38,19 @@ static void test_the_wet_front_advances_with_the_root_of_time(void **state)
     float fronts[4];
     sheet_init(&sheet, 5, RADIUS_M, 1);
     soak(left_half, 16.0f);
-    /* Measures the wet front after 16, 64, 144 and 256 s, whose square roots are 4, 8, 12 and
-     * 16. */
+    /* Measures the distance of the wet front after 16, 64, 144 and 256 s. The square roots of these
+     * times are 4, 8, 12 and 16. */
     for (uint32_t i = 0; i < 4; i++) {
         const float root = (float)(i + 1u);
         fronts[i] = front_m();
         soak(left_half, 16.0f * (2.0f * root + 1.0f));
     }
-    /* The first measurement is not compared, because the front is still within one cell of the
+    /* The first measurement is not compared, because the wet front is still within one cell of the
      * water line. */
     assert_float_equal(fronts[2] / fronts[1], 1.5f, 0.08f);
     assert_float_equal(fronts[3] / fronts[1], 2.0f, 0.12f);
-    /* 16 is the root of 256 s. The wicking coefficient of the paper is 0.0014 m per root of a
-     * second. */
+    /* The wicking coefficient of the paper is 0.0014 m per root of a second. The number 16 is the
+     * root of 256 s. */
     assert_float_equal(fronts[3] / 16.0f, 0.0014f, 0.0002f);
 }
 
@@ -134,14 +134,15 @@ static void test_the_wet_line_is_full_only_where_wet_meets_dry(void **state)
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
         sheet.wetness[cell] = cell % SHEET_SIDE < MIDDLE ? 1.0f : 0.0f;
     }
-    /* All rows are checked, including row 0 at the ring. */
+    /* Checks all rows, including row 0 at the ring. */
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
         assert_float_equal(paper_wetting_line(&sheet, row, MIDDLE - 1u), 1.0f, 0.0f);
         assert_float_equal(paper_wetting_line(&sheet, row, MIDDLE), 1.0f, 0.0f);
     }
     assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE - 3u), 0.0f, 0.0f);
     assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE + 2u), 0.0f, 0.0f);
-    /* A step of wetness of at least 0.5 has the full effect of 1. A step of 0.25 has half of it. */
+    /* A difference of wetness of at least 0.5 has the full effect of 1. The difference of 0.25 in
+     * this cell has half of this effect. */
     sheet.wetness[MIDDLE * SHEET_SIDE + MIDDLE + 1u] = 0.75f;
     assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE), 0.5f, 1e-6f);
 }
