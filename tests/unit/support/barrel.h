@@ -1,7 +1,6 @@
-/* barrel.h -- a simple fish species for tests: a barrel-shaped body with an eye and a fin ray.
- *
- * Each of its three key shapes (modelled growth stages) is a body of constant radius. The species
- * is so simple that a test can compute every result by hand. Lengths are in body lengths. */
+/* barrel.h -- a simple fish species for tests: a body of the shape of a barrel, with an eye and a
+ * fin ray. Each of its three key shapes (modelled growth stages) has a constant radius. The species
+ * is so simple that results can be computed by hand. Lengths are in body lengths. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_BARREL_H
 #define KINGYO_TESTS_UNIT_SUPPORT_BARREL_H
 
@@ -23,7 +22,7 @@ struct barrel {
     struct species species;
 };
 
-/* Returns a length as a 16-bit fixed-point number (counts of 1/32767). */
+/* Returns a length as a 16-bit fixed-point number, in steps of 1/32767. */
 static int16_t barrel_count(float x)
 {
     return (int16_t)(x * 32767.0f + (x < 0.0f ? -0.5f : 0.5f));
@@ -36,8 +35,8 @@ static struct species_point barrel_point(vec3 p, vec3 n)
                                    morph_fold_normal(n) };
 }
 
-/* Initializes the species. The radius of its three keys is 0.1, 0.1 and 0.2. From key to key, the
- * eye moves around the body, from the right flank (v = 0.25) over the back (0) to the left flank
+/* Initializes the species. The radius is 0.1, 0.1 and 0.2 in its three keys. From key to key, the
+ * eye moves around the body: from the right flank (v = 0.25) over the back (0) to the left flank
  * (-0.25). The root of the fin ray moves forward along the back (u = 0.75, 0.5, 0.25). */
 static void barrel_init(struct barrel *b)
 {

@@ -1,6 +1,5 @@
-/* bot_stall.h -- test fixture of the whole core, in which a bot plays through controller input.
- *
- * The bot moves the first poi (paper scoop) with a technique that the test chooses. */
+/* bot_stall.h -- test fixture of the whole core, in which a bot plays. The bot moves the first poi
+ * (paper scoop) through controller input, with a technique that the test chooses. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_BOT_STALL_H
 #define KINGYO_TESTS_UNIT_SUPPORT_BOT_STALL_H
 
@@ -25,13 +24,13 @@ static inline void bot_stall_open(struct bot_stall *stall, const struct core_con
     memset(&stall->output, 0, sizeof stall->output);
     bot_init(&stall->bot, technique, config->seed);
     stall->bot.hand.pose = (struct poi_target){ .position_m = v3(0.0f, 0.10f, 0.0f) };
-    /* The target pose of the bot is over the middle of the tank, 10 cm above the water. The poi
-     * starts 5 cm below this pose. */
+    /* Places the target pose of the bot 10 cm above the water over the middle of the tank, and the
+     * poi 5 cm below this pose. */
     stall->core.game.control[0].hand_pose = stall->bot.hand.pose;
     stall->core.world.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
 }
 
-/* Returns what the bot of player 0 can see of the game and of the tank. */
+/* Returns what the bot of player 0 can see of the game and the tank. */
 static inline struct vision bot_stall_sight(const struct bot_stall *stall)
 {
     return (struct vision){ .game = &stall->core.game, .world = &stall->core.world, .player = 0 };
@@ -55,7 +54,7 @@ static inline void bot_stall_tick(struct bot_stall *stall)
     assert_int_equal(core_tick(&stall->core, &stall->input, &stall->output), CORE_OK);
 }
 
-/* Runs ticks until the round has begun. Fails the test after 20 s. */
+/* Runs ticks until the round has begun. If it has not begun after 20 s, the test fails. */
 static inline void bot_stall_begin(struct bot_stall *stall)
 {
     for (uint32_t i = 0; i < 20u * CORE_TICK_HZ && stall->core.game.phase != PHASE_ROUND; i++) {
@@ -64,8 +63,8 @@ static inline void bot_stall_begin(struct bot_stall *stall)
     assert_int_equal(stall->core.game.phase, PHASE_ROUND);
 }
 
-/* Runs ticks until the bot enters the stage `stage` (a step of its scoop, enum bot_stage). Returns
- * 1 if the bot enters the stage within `seconds` and before the round ends, otherwise 0. */
+/* Runs ticks until the bot enters the stage `stage`, which is a step of its scoop (enum bot_stage).
+ * Returns 1 if the bot enters the stage within `seconds` and before the round ends, otherwise 0. */
 static inline int bot_stall_until(struct bot_stall *stall, uint8_t stage, uint32_t seconds)
 {
     for (uint32_t i = 0; i < seconds * CORE_TICK_HZ; i++) {

@@ -1,5 +1,5 @@
-/* core_fixture.h -- test fixture of the whole core, which the test plays through inputs only, as in
- * the kiosk. */
+/* core_fixture.h -- test fixture of the whole core. The test plays through inputs only, as in the
+ * kiosk. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_CORE_FIXTURE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_CORE_FIXTURE_H
 
@@ -20,8 +20,8 @@ static struct core core;
 static struct input input;
 static struct output output;
 static struct scene scene;
-static uint32_t sounds[SOUND_COUNT]; /* Number of sounds of each kind since open_core(). A test may
-                                        clear the counts. */
+/* Number of sounds of each kind since open_core(). A test may clear these counts. */
+static uint32_t sounds[SOUND_COUNT];
 
 /* Initializes the core with `config`, and resets input, output and sound counts. */
 static inline void open_core(const struct core_config *config)
@@ -32,7 +32,8 @@ static inline void open_core(const struct core_config *config)
     memset(sounds, 0, sizeof sounds);
 }
 
-/* Runs one tick (1/120 s) of the core. A pressed button lasts one tick. */
+/* Runs one tick (1/120 s) of the core. Afterwards, the pressed buttons and inserted coins of the
+ * input are cleared. */
 static inline void tick(void)
 {
     output.sound_count = 0;
@@ -59,7 +60,7 @@ static inline void press(uint32_t buttons)
 }
 
 /* Sets the controller input of player `index` to a level poi at `at_m`. The controller also reports
- * angles. The input stays until the next change. */
+ * angles. The input stays until it is set again. */
 static inline void hold(uint32_t index, vec3 at_m)
 {
     input.poi[index] = (struct poi_input){
@@ -98,7 +99,8 @@ static inline const struct scene *look(void)
     return &scene;
 }
 
-/* Runs ticks until the game is in `phase`. Fails the test if `ticks_max` ticks are not enough. */
+/* Runs ticks until the game is in the phase `phase`. If this takes more than `ticks_max` ticks, the
+ * test fails. */
 static inline void wait_for_phase(uint8_t phase, uint32_t ticks_max)
 {
     for (uint32_t i = 0; core.game.phase != phase && i < ticks_max; i++) {

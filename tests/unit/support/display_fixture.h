@@ -1,7 +1,6 @@
-/* display_fixture.h -- test fixture of the real display without a screen, for tests of its pictures
- * and its faults.
- *
- * The tank has sixty fish. The test must include cmocka.h first. */
+/* display_fixture.h -- test fixture of the real display, which draws off screen. Tests use it to
+ * check pictures and faults of the display. The tank has sixty fish. The test must include cmocka.h
+ * first. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_DISPLAY_FIXTURE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_DISPLAY_FIXTURE_H
 
@@ -42,13 +41,13 @@ static inline int close_display(void **state)
     return 0;
 }
 
-/* Draws the scene and copies the picture to `out`. Fails the test on any error of the display or
- * OpenGL. */
+/* Draws the scene and copies the picture to `out`. If the display or OpenGL reports an error, the
+ * test fails. */
 static inline void picture(uint8_t out[PIXELS_SIZE])
 {
     struct hal_image image = { .rgb = out, .size = PIXELS_SIZE };
-    scene.veil = 0.0f; /* The fade-in of a session is disabled, because its first picture is
-                          dark. */
+    /* Disables the fade-in of a session, because the first picture of a fade-in is dark. */
+    scene.veil = 0.0f;
     assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
     assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
     assert_int_equal(image.width, WIDTH);

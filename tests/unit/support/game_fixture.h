@@ -1,7 +1,5 @@
 /* game_fixture.h -- test fixture of the game module with a tank that does not move, for tests of
- * the game's clock and rules.
- *
- * core_fixture.h is the fixture that runs the whole core. */
+ * the game's clock and rules. The fixture core_fixture.h runs the whole core instead. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_GAME_FIXTURE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_GAME_FIXTURE_H
 
@@ -35,13 +33,13 @@ static inline void clear_sounds(void)
     memset(sounds, 0, sizeof sounds);
 }
 
-/* 1 if the test itself sets which ledger entries the store has written. 0 if step() reports each
+/* If 1, the test itself sets which ledger entries the store has written. If 0, step() reports each
  * entry as written. */
 static int store_is_late;
 
-/* Runs one tick (1/120 s) of the game module. A pressed button lasts one tick. The step then
- * reports that the dispenser has finished its tickets and, unless store_is_late is set, that the
- * store has written all ledger entries. */
+/* Runs one tick (1/120 s) of the game module. Afterwards the pressed buttons are cleared, and the
+ * dispenser has finished its tickets. Unless store_is_late is set, the store has also written all
+ * ledger entries. */
 static inline void step(void)
 {
     struct poi_target targets[POI_MAX];
@@ -84,7 +82,7 @@ static inline void hold_at(float y_m)
     input.poi[0].target.position_m = v3(0.05f, y_m, 0.02f);
 }
 
-/* Runs two ticks: the first poi is above the water in the first tick and below the water in the
+/* Runs two ticks. The first poi is above the water in the first tick, and below the water in the
  * second. */
 static inline void dip(void)
 {
@@ -111,7 +109,7 @@ static inline int setup(void **state)
     return 0;
 }
 
-/* Runs two ticks: the first poi appears above the water in the first tick, and START is pressed in
+/* Runs two ticks. The first poi appears above the water in the first tick, and START is pressed in
  * the second. */
 static inline void start_with_a_poi(void)
 {

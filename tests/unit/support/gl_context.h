@@ -1,11 +1,11 @@
-/* gl_context.h -- creates an OpenGL ES context for tests, which the software renderer draws off
+/* gl_context.h -- creates an OpenGL ES context for tests. The software renderer draws in it off
  * screen. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_GL_CONTEXT_H
 #define KINGYO_TESTS_UNIT_SUPPORT_GL_CONTEXT_H
 
 #include <SDL.h>
 
-/* Creates a context and makes it current. Fails the test on any error. The test must include
+/* Creates a context and makes it current. On any error, the test fails. The test must include
  * cmocka.h first and call SDL_Quit() at its end. */
 static inline void open_gl_context(const char *title)
 {

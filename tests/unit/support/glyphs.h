@@ -1,4 +1,4 @@
-/* glyphs.h -- computes the font size of the letters in a laid-out text. */
+/* glyphs.h -- computes the font size of the letters in text that was laid out. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_GLYPHS_H
 #define KINGYO_TESTS_UNIT_SUPPORT_GLYPHS_H
 

@@ -1,4 +1,4 @@
-/* gpio_fixture.h -- test fixture of the GPIO thread over simulated lines. */
+/* gpio_fixture.h -- test fixture of the GPIO thread, which reads simulated lines. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_GPIO_FIXTURE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_GPIO_FIXTURE_H
 
@@ -11,7 +11,7 @@
 #define MS 1000000ull
 
 /* clang-format off */
-/* Roles and line names of the cabinet's GPIO lines. */
+/* Wiring of the cabinet: the role of each GPIO line and the name of the line. */
 static const char *const cabinet[] = {
     "start=START", "left=LEFT", "test=TEST", "tilt=TILT", "coin=COIN", "coin2=COIN2",
     "coin3=COIN3", "door=DOOR",
@@ -20,14 +20,14 @@ static const char *const cabinet[] = {
 };
 /* clang-format on */
 
-/* A cabinet with simulated GPIO lines, and the sum of all its button samples. */
+/* A cabinet with simulated GPIO lines, and the sum of all button samples that were polled. */
 struct fixture {
     struct gpio_lines_sim sim;
     struct gpio_sim_events script;
     struct gpio_thread gpio;
-    struct button_sample sum; /* Sum of all samples, except that `held` is the value of the newest
-                                 sample. */
-    uint32_t presses;         /* Number of samples in which START was pressed. */
+    /* Sum of all samples. Only `held` is the value of the newest sample. */
+    struct button_sample sum;
+    uint32_t presses; /* Number of samples in which START was pressed. */
 };
 
 /* Polls the buttons as the frame loop does and adds the sample to the sum. */
@@ -68,7 +68,7 @@ static inline void begin(struct fixture *fixture)
                                  gpio_lines_sim_clock(&fixture->sim)) > 0);
 }
 
-/* Runs steps of the thread, each followed by a poll, until the simulated time `time_ms`. */
+/* Alternates steps of the thread and polls until the simulated time is `time_ms`. */
 static inline void run_until(struct fixture *fixture, uint64_t time_ms)
 {
     while (fixture->sim.now_ns < time_ms * MS) {

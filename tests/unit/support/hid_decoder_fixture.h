@@ -14,8 +14,8 @@ static struct hid_wire wire;
 static struct hid_pose_decoder decoder;
 static uint64_t now_ms;
 
-/* Initializes a decoder with the descriptor in file `name`.hid of the corpus, the given USB ids and
- * the automatic mapping. */
+/* Initializes a decoder for a controller. The report descriptor is in the file `name`.hid of the
+ * corpus. The decoder uses the given USB ids and the automatic mapping. */
 static inline void connect(const char *name, uint16_t vendor, uint16_t product)
 {
     struct hid_mapping map;
@@ -48,7 +48,7 @@ static inline int send(uint8_t id)
     return hid_pose_decoder_report(&decoder, &raw);
 }
 
-/* Returns the sample after `ms` milliseconds. Fails the test if there is no sample. */
+/* Returns the sample after `ms` milliseconds. If there is no sample, the test fails. */
 static inline struct poi_sample sample_after(uint64_t ms)
 {
     struct poi_sample sample;

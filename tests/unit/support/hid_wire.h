@@ -1,8 +1,6 @@
 /* hid_wire.h -- a simulated controller with a real HID report descriptor, for tests of the decoder
- * and the game.
- *
- * A test sets the fields of a report by their usages instead of their bit positions. Reports are
- * always sent with their full length. */
+ * and the game. A test selects the fields of a report by their usages, and not by their bit
+ * positions. Reports are always sent with their full length. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_HID_WIRE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_HID_WIRE_H
 
@@ -89,8 +87,8 @@ static inline void wire_send(struct hid_wire *wire, uint8_t id)
     hid_port_sim_report(&wire->port, bytes, size);
 }
 
-/* Returns the field value at the share `share` of the field's logical range: 0 gives the minimum, 1
- * gives the maximum. */
+/* Returns the value at the fraction `share` of the field's logical range: 0 gives the minimum, and
+ * 1 gives the maximum. */
 static inline int64_t wire_share(const struct hid_wire *wire, int id, hid_usage usage, float share)
 {
     const struct hid_field_location spot =

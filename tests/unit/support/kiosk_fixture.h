@@ -1,4 +1,4 @@
-/* kiosk_fixture.h -- test fixture of the frame loop with simulated devices. */
+/* kiosk_fixture.h -- test fixture of the frame loop. All devices are simulated. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_KIOSK_FIXTURE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_KIOSK_FIXTURE_H
 
@@ -16,7 +16,8 @@
 #define FRAME_NS 16666667ull
 #define SEEN_MAX 4096u
 
-/* A kiosk whose devices are all simulated. Its tap (a callback in each tick) records the input. */
+/* A kiosk whose devices are all simulated. Its tap, which is a callback in each tick, records the
+ * input. */
 static struct rig {
     struct clock_sim clock;
     struct display_sim display;
@@ -41,14 +42,14 @@ static inline void record_input(void *self, const struct input *input, const str
     }
 }
 
-/* Counts a call of kick(), with which the kiosk resets the watchdog's timeout. */
+/* Counts a call of kick(). The kiosk calls kick() to reset the watchdog's timeout. */
 static inline void count_kick(void *self)
 {
     (void)self;
     rig.kicks++;
 }
 
-/* Returns the state of a watchdog that is in use. */
+/* Returns 1, the state of a watchdog that is in use. */
 static inline uint8_t watches(void *self)
 {
     (void)self;
@@ -88,7 +89,7 @@ static inline enum kiosk_end frame_after(uint64_t ns)
     return kiosk_frame(&rig.kiosk, &rig.hal);
 }
 
-/* Runs `count` frames. Fails the test if a frame ends the loop. */
+/* Runs `count` frames. If a frame ends the loop, the test fails. */
 static inline void frames(uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -106,8 +107,8 @@ static inline void script(const struct button_event *events, uint32_t count)
 /* Reports that the simulated pointer will send. */
 static struct pointer_report reports[1000];
 
-/* Prepares `count` pointer reports, one every `step_ms` from 1 s. The position moves to the
- * right. */
+/* Prepares `count` pointer reports. The first is at 1 s, and the others follow every `step_ms`.
+ * Their positions move to the right. */
 static inline void glide(uint32_t count, uint64_t step_ms)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -123,9 +124,11 @@ static inline void glide(uint32_t count, uint64_t step_ms)
     rig.poi.feed.count = count;
 }
 
-#define ENTRIES 2u /* Number of ledger entries of a round. */
+/* Number of ledger entries that a round writes. */
+#define ENTRIES 2u
 
-/* Plays a round of ten seconds, until the core has a record of the round to store. */
+/* Plays a round of ten seconds. At the end, the core has a record of the round that must be
+ * stored. */
 static inline void play_a_round(void)
 {
     static const struct button_event events[] = {

@@ -1,11 +1,12 @@
-/* lab_fixture.h -- test fixture of the growth lab, which a poi operates. */
+/* lab_fixture.h -- test fixture of the growth lab. A poi operates the page of the lab. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_LAB_FIXTURE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_LAB_FIXTURE_H
 
 #include "tests/unit/support/core_fixture.h"
 
 #define ALL ((1u << CHOICE_COUNT) - 1u)
-#define UP_M 0.035f /* Height of a mouse pointer above the water, in metres. */
+/* Height in metres of a poi that a mouse holds above the water. */
+#define UP_M 0.035f
 #define DOWN_M (-0.01f)
 
 /* Returns the description (card) of the selected species. */
@@ -68,7 +69,7 @@ static inline void drag_down(struct layout_point from, struct layout_point to)
     come_up();
 }
 
-/* Returns the point on the lab page at which a knot is drawn on the curve of `key`. */
+/* Returns the point of the lab page at which the curve of `key` has the knot `knot`. */
 static inline struct layout_point knot_at(uint32_t knot, uint32_t key)
 {
     const struct layout_box plot = lab_box(core.game.lab.upright, card()->key_count, LAB_PLOT);

@@ -1,7 +1,6 @@
 /* ledger_fixture.h -- test fixture that gives each test a new temporary folder for a ledger file.
- *
- * The ledger is the append-only list of money events. A test may open, close, damage and replace
- * the file. */
+ * The ledger is the list of all money events, to which entries are only appended. A test may open,
+ * close, damage and replace the file. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_LEDGER_FIXTURE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_LEDGER_FIXTURE_H
 
@@ -49,8 +48,8 @@ static inline void do_sql(const char *sql)
     sqlite3_close(db);
 }
 
-/* Copies tests/unit/platform/store/files/version-N.db, a ledger file of an older Kingyo version, to
- * `path`. `version` is the number N. */
+/* Copies tests/unit/platform/store/files/version-N.db to `path`, where N is `version`. The file is
+ * a ledger of an older Kingyo version. */
 static inline void take_version(int version)
 {
     char command[120];

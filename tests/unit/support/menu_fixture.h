@@ -32,7 +32,7 @@ static inline uint32_t leave(void)
     return menu_tag_count(MENU_TOP, false) - 1u;
 }
 
-/* Opens the menu with controllers in the rows 0 and 3; a cmocka setup function. */
+/* Opens the menu of a kiosk with controllers in the rows 0 and 3; a cmocka setup function. */
 static inline int setup_open(void **state)
 {
     setup(state);
@@ -80,7 +80,8 @@ static inline void go_to_lines(void)
     go_to(MENU_LINES);
 }
 
-/* Asserts that the newest command to the controllers has the given id, kind and row. */
+/* Asserts that the newest command to the controllers has the id `id`, the kind `kind` and the row
+ * `row`. */
 static inline void expect_order(uint32_t id, enum controller_command_kind kind, uint8_t row)
 {
     const struct controller_command *order = &output.commands[(id - 1u) % CONTROLLER_COMMAND_MAX];

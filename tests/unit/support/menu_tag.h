@@ -4,8 +4,8 @@
 
 #include "core/game/menu/menu_pages.h"
 
-/* Returns the index of the menu item (tag) that opens `page`, an item of the parent page of `page`.
- * Returns MENU_TAG_MAX if there is none. */
+/* Returns the index of the tag (menu item) that opens `page`. The tag is on the parent page of
+ * `page`. Returns MENU_TAG_MAX if there is no such tag. */
 static inline uint32_t menu_tag_of(uint8_t page)
 {
     const uint8_t parent = menu_page_desc_of(page)->parent;

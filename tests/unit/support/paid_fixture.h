@@ -1,11 +1,12 @@
-/* paid_fixture.h -- the fixture of game_fixture.h with a price of three coins for a round. */
+/* paid_fixture.h -- extends game_fixture.h by a price of three coins for a round. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_PAID_FIXTURE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_PAID_FIXTURE_H
 
 #include "tests/unit/support/game_fixture.h"
 
 #define PRICE 3u
-#define CREDITS_MAX 99u /* Default of the setting SET_CREDIT_MAX, the largest number of credits. */
+/* Default of the setting SET_CREDIT_MAX, which is the largest number of credits. */
+#define CREDITS_MAX 99u
 
 /* Initializes the core with a price of PRICE coins; a cmocka setup function. */
 static inline int setup_paid(void **state)

@@ -1,8 +1,6 @@
-/* poi_fixture.h -- test fixture of a poi (paper scoop) with a scripted motion in a tank of fish
- * that do not swim.
- *
- * One tick runs the same steps in the same order as the core: poi, bowl, contact solver, haptics
- * and catch. The test puts the fish into the tank. */
+/* poi_fixture.h -- test fixture of a poi (paper scoop) with a scripted motion, in a tank of fish
+ * that do not swim. One tick runs the same steps in the same order as the core: poi, bowl, contact
+ * solver, haptics and catch. The test puts fish into the tank. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_POI_FIXTURE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_POI_FIXTURE_H
 
@@ -31,10 +29,11 @@ struct poi_fixture {
     struct poi_target hand;
     struct poi_force force;
     int has_wrist;
-    int laden; /* 1 if the poi counts as loaded and tips toward the bowl, otherwise 0. */
+    /* 1 if the poi counts as loaded, so that it tips toward the bowl; otherwise 0. */
+    int laden;
     uint32_t tick;
-    uint32_t landed, poured, walled; /* Number of fish that came into the bowl since fixture_init(),
-                                        by cause (struct catch_result). */
+    uint32_t landed, poured, walled; /* Number of fish that entered the bowl since fixture_init().
+                                        The counters are for the cases of struct catch_result. */
     float tension_max_n_m, tension_sum_n_m;
 };
 
@@ -120,7 +119,7 @@ static inline void fixture_tick(struct poi_fixture *fixture)
     fixture->tension_sum_n_m += poi->strain.tension_max_n_m;
 }
 
-/* Runs ticks for `seconds` with a constant target pose. */
+/* Runs ticks for `seconds` seconds with a constant target pose. */
 static inline void fixture_wait(struct poi_fixture *fixture, float seconds)
 {
     for (uint32_t i = 0; (float)i < seconds * (float)CORE_TICK_HZ; i++) {
@@ -154,8 +153,8 @@ static inline void fixture_turn(struct poi_fixture *fixture, float pitch_rad, fl
     }
 }
 
-/* Dips the poi until the poi is level, at rest and completely wet at a depth of 6 cm. Then resets
- * the tension statistics. */
+/* Dips the poi to a depth of 6 cm until it is level, at rest and completely wet. Then resets the
+ * tension statistics. */
 static inline void fixture_dip(struct poi_fixture *fixture)
 {
     fixture_turn(fixture, 0.6f, 0.0f, 0.2f);
@@ -165,9 +164,9 @@ static inline void fixture_dip(struct poi_fixture *fixture)
     fixture->tension_max_n_m = fixture->tension_sum_n_m = 0.0f;
 }
 
-/* Lifts one struggling fish of 45 mm out of the water with a new poi. The poi ends level, 6 cm
- * above the water. The fish lies `off_x_m` to the right of the poi's middle with its nose at the
- * yaw `yaw_rad`. Returns the index of the fish. */
+/* Lifts one struggling fish of 45 mm out of the water with a new poi. At the end, the poi is level
+ * and 6 cm above the water. The fish lies `off_x_m` to the right of the poi's middle, and its nose
+ * has the yaw `yaw_rad`. Returns the index of the fish. */
 static inline uint32_t fixture_lift(struct poi_fixture *fixture, uint8_t grade, uint32_t seed,
                                     float off_x_m, float yaw_rad)
 {
@@ -175,13 +174,14 @@ static inline uint32_t fixture_lift(struct poi_fixture *fixture, uint8_t grade, 
     fixture_dip(fixture);
     const uint32_t index = fixture_add_fish(fixture, v3(off_x_m, -0.045f, 0.005f), 0.045f);
     fixture->tank.fish[index].angles.yaw_rad = yaw_rad;
-    fixture->tank.fish[index].alarm = 1.0f; /* The fish is fully alarmed, as after a chase. */
+    /* Makes the fish fully alarmed, as after a chase. */
+    fixture->tank.fish[index].alarm = 1.0f;
     fixture_move(fixture, v3(0.0f, 0.06f, 0.0f), 0.18f);
     return index;
 }
 
 /* Puts a new fish on the paper at (x_m, z_m) in the plane of the poi. The fish lies flat on its
- * side and does not slap for 1000 s. Returns the carried fish. */
+ * side, and does not slap for the next 1000 s. Returns the carried fish. */
 static inline struct carried_fish *fixture_place_fish(struct poi_fixture *fixture, float length_m,
                                                       float x_m, float z_m, float heading_rad)
 {
@@ -200,7 +200,7 @@ static inline struct carried_fish *fixture_place_fish(struct poi_fixture *fixtur
     return carried;
 }
 
-/* Turns the paper within `radius_m` of the point (x_m, z_m) in the plane of the poi into holes. */
+/* Turns the paper into holes within `radius_m` of the point (x_m, z_m) in the plane of the poi. */
 static inline void fixture_tear_hole(struct poi_fixture *fixture, float x_m, float z_m,
                                      float radius_m)
 {
@@ -215,8 +215,8 @@ static inline void fixture_tear_hole(struct poi_fixture *fixture, float x_m, flo
     }
 }
 
-/* Sets the strength of all paper to 1 and its wetness to `wetness`, as the membrane formulas
- * assume. */
+/* Sets the strength of all paper to 1 and its wetness to `wetness`, because the membrane formulas
+ * assume uniform paper. */
 static inline void fixture_plain_paper(struct sheet *sheet, float wetness)
 {
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {

@@ -1,5 +1,4 @@
-/* pointer.h -- a simulated pointer (mouse) over the window of the kiosk, for tests of pointer
- * control. */
+/* pointer.h -- a simulated pointer (mouse) over the window of the kiosk. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_POINTER_H
 #define KINGYO_TESTS_UNIT_SUPPORT_POINTER_H
 
@@ -10,7 +9,7 @@
 #define WIDTH 1280u
 #define HEIGHT 720u
 
-/* Returns the camera view of the festival tank. */
+/* Returns the camera view of the festival's tank. */
 static inline const struct view *stall_view(void)
 {
     return &tank_preset(TANK_PRESET_FESTIVAL)->view;

@@ -1,5 +1,5 @@
-/* pond.h -- single fish of the festival tank and their perception, for tests that need no complete
- * tank. */
+/* pond.h -- single fish of the festival's tank and what they perceive, for tests that need no
+ * complete tank. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_POND_H
 #define KINGYO_TESTS_UNIT_SUPPORT_POND_H
 
@@ -20,8 +20,8 @@ static inline const struct behavior_params *pond_params(void)
     return &tank_preset(TANK_PRESET_FESTIVAL)->params;
 }
 
-/* Returns what a fish of the festival tank perceives in tick `tick`. The result is valid until the
- * next call. */
+/* Returns what a fish of the festival's tank perceives in tick `tick`. The result is valid until
+ * the next call. */
 static inline const struct perception *pond_at(uint32_t seed, uint32_t tick)
 {
     static struct perception around;
@@ -36,8 +36,8 @@ static inline const struct perception *pond_at(uint32_t seed, uint32_t tick)
     return &around;
 }
 
-/* Returns a level fish at mid depth with the given length and gait. A test sets further members
- * itself. */
+/* Returns a level fish at half the depth, with the given length and gait. A test sets further
+ * members itself. */
 static inline struct fish pond_fish(float length_m, uint8_t gait)
 {
     return (struct fish){ WAKIN(length_m),

@@ -1,10 +1,10 @@
 /* proportions.h -- known body proportions of the species, for tests of the modelled fish.
  *
- * Lengths are fractions of the standard length (snout to tail root). Exceptions are the tuna (fork
- * length), the conger (total length) and the ray (disc width). The lengths of the stages and three
- * proportions of the goldfish (eye, tail root, places of the fins) have a source. All other numbers
- * are general knowledge of these fish, so that an adult may differ by 15 %, and a larva or young
- * fish by 25 %. */
+ * Lengths are fractions of the standard length, from the snout to the tail root. Exceptions are the
+ * tuna (fork length), the conger (total length) and the ray (disc width). The lengths of the stages
+ * and three proportions of the goldfish (eye, tail root, places of the fins) have a source. All
+ * other numbers are general knowledge of these fish. An adult may therefore differ by 15 %, and a
+ * larva or young fish by 25 %. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_PROPORTIONS_H
 #define KINGYO_TESTS_UNIT_SUPPORT_PROPORTIONS_H
 

@@ -1,6 +1,5 @@
 /* purse.h -- functions that read credits, audit counters and ledger entries of a core under test.
- *
- * The ledger is the append-only list of money events. */
+ * The ledger is the list of all money events, to which entries are only appended. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_PURSE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_PURSE_H
 

@@ -1,4 +1,4 @@
-/* replay_fixture.h -- test fixture of a recording in a temporary file. */
+/* replay_fixture.h -- test fixture of a recording, which is written to a temporary file. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_REPLAY_FIXTURE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_REPLAY_FIXTURE_H
 
@@ -33,8 +33,8 @@ static inline int remove_path(void **state)
     return unlink(path);
 }
 
-/* Returns an input that depends on `tick`. The inputs use every part of the format: motion, rest,
- * presses, and plug and unplug events. */
+/* Returns an input that depends only on `tick`. The inputs of many ticks use every part of the
+ * format: motion, rest, presses, and plug and unplug events. */
 static inline struct input input_of(uint32_t tick)
 {
     const struct rng_key key = { 1, tick, 0, RNG_TEST };
@@ -83,7 +83,7 @@ static inline void write_ticks(uint32_t count)
     assert_int_equal(replay_finish(&writer, 1000u + count - 1u), 0);
 }
 
-/* Reads the file into `bytes`, which has FILE_MAX bytes. Returns its size. */
+/* Reads the file into `bytes`, which has room for FILE_MAX bytes. Returns the size of the file. */
 static inline size_t read_file(uint8_t *bytes)
 {
     FILE *file = fopen(path, "rb");

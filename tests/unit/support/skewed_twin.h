@@ -1,7 +1,5 @@
-/* skewed_twin.h -- a simulated poi controller whose sensors use a different coordinate frame than
- * the tank.
- *
- * The frame of the sensors is rotated and shifted. Tests of the calibration use the controller. */
+/* skewed_twin.h -- a simulated poi controller for tests of the calibration. Its sensors use a
+ * coordinate frame that is rotated and shifted relative to the frame of the tank. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_SKEWED_TWIN_H
 #define KINGYO_TESTS_UNIT_SUPPORT_SKEWED_TWIN_H
 

@@ -1,5 +1,5 @@
-/* species_text.h -- the text of a small complete species, and helpers to test the error messages of
- * its reader. */
+/* species_text.h -- the text of a small complete species, and functions that test the error
+ * messages of the reader of such texts. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_SPECIES_TEXT_H
 #define KINGYO_TESTS_UNIT_SUPPORT_SPECIES_TEXT_H
 
@@ -53,7 +53,7 @@ static inline void assert_refused(const char *text, const char *complaint)
 {
     const char *answer = complaint_of(text);
     assert_non_null(strstr(answer, complaint));
-    /* The only newline must be the last character. */
+    /* The message must have only one newline, at its end. */
     assert_ptr_equal(strchr(answer, '\n'), answer + strlen(answer) - 1);
 }
 

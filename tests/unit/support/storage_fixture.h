@@ -1,4 +1,4 @@
-/* storage_fixture.h -- test fixture of a store in its own temporary folder. */
+/* storage_fixture.h -- test fixture of a store. Each test has its own temporary folder. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_STORAGE_FIXTURE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_STORAGE_FIXTURE_H
 
@@ -59,7 +59,8 @@ static inline int open_store(struct fixture *fixture)
     return fixture->device.ledger.ops->open(fixture->device.ledger.self);
 }
 
-/* Appends a round with the given id and catch to the store. Returns the result of the store. */
+/* Appends a round with the given id and number of caught fish to the store. Returns the result of
+ * the store. */
 static inline int save(struct fixture *fixture, uint32_t id, uint32_t caught, uint8_t by_bot)
 {
     const struct round_record record = { .id = id,
@@ -88,8 +89,8 @@ static inline const char *text(struct fixture *fixture)
     return fixture->device.ledger.ops->describe(fixture->device.ledger.self);
 }
 
-/* Waits until the store has committed entry `id`. Fails the test after 5 s, which is enough even
- * for a slow disk. */
+/* Waits until the store has committed entry `id`. If this takes more than 5 s, which is enough even
+ * for a slow disk, the test fails. */
 static inline void wait_until_saved(struct fixture *fixture, uint32_t id)
 {
     for (int i = 0; i < 500 && saved_id(fixture) < id; i++) {
@@ -107,7 +108,8 @@ static inline void reopen(struct fixture *fixture)
     assert_int_equal(open_store(fixture), HAL_OK);
 }
 
-/* Opens the store again without its thread, so that only storage_work() writes. */
+/* Opens the store again without its thread, so that nothing is written until storage_work() is
+ * called. */
 static inline void open_without_thread(struct fixture *fixture)
 {
     fixture->device.ledger.ops->close(fixture->device.ledger.self);
@@ -117,7 +119,8 @@ static inline void open_without_thread(struct fixture *fixture)
     assert_int_equal(open_store(fixture), HAL_OK);
 }
 
-/* Stores the rounds `first` to `last`. The catch of each round equals its id. */
+/* Stores the rounds with the ids `first` to `last`. The number of caught fish of each round equals
+ * its id. */
 static inline void work_rounds(struct fixture *fixture, uint32_t first, uint32_t last)
 {
     for (uint32_t id = first; id <= last; id++) {
@@ -136,8 +139,8 @@ static inline void fill_and_close(struct fixture *fixture)
     fixture->device.ledger.ops->close(fixture->device.ledger.self);
 }
 
-/* Removes the mirror (the second copy of the newest entries), so that entries can come only from
- * the database. */
+/* Removes the mirror, which is the second copy of the newest entries. Entries can then come only
+ * from the database. */
 static inline void remove_mirror(const struct fixture *fixture)
 {
     char path[160];
@@ -152,8 +155,8 @@ static inline void fill_and_remove_mirror(struct fixture *fixture)
     remove_mirror(fixture);
 }
 
-/* Runs `query` in a separate connection, as another program would. Returns the number of its
- * result. */
+/* Runs `query` through a second connection, as another program would. Returns the number that is
+ * its result. */
 static inline int query_number(const struct fixture *fixture, const char *query)
 {
     sqlite3 *db;
@@ -198,7 +201,7 @@ static inline struct persistent_state *load_state(struct fixture *fixture)
     return &memory;
 }
 
-/* Writes the path of the database followed by `suffix` to `out`. */
+/* Writes the path of the database, followed by `suffix`, to `out`. */
 static inline void path_beside(const struct fixture *fixture, const char *suffix, char out[160])
 {
     snprintf(out, 160, "%s%s", fixture->file, suffix);

@@ -1,4 +1,4 @@
-/* thesis.h -- the tank of the 2013 thesis, for tests of single rules of its fish behavior. */
+/* thesis.h -- the tank of the 2013 thesis, for tests of single rules of fish behavior. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_THESIS_H
 #define KINGYO_TESTS_UNIT_SUPPORT_THESIS_H
 
@@ -7,13 +7,13 @@
 #include "core/input.h"
 #include "tests/unit/support/open_tank.h"
 
-/* Returns the behavior parameters of the thesis tank. */
+/* Returns the behavior parameters of the thesis' tank. */
 static inline const struct behavior_params *thesis_params(void)
 {
     return &tank_preset(TANK_PRESET_THESIS)->params;
 }
 
-/* Returns what a fish of the thesis tank perceives in tick `tick`. The result is valid until the
+/* Returns what a fish of the thesis' tank perceives in tick `tick`. The result is valid until the
  * next call. */
 static inline const struct perception *thesis_at(uint32_t seed, uint32_t tick)
 {
@@ -28,8 +28,8 @@ static inline const struct perception *thesis_at(uint32_t seed, uint32_t tick)
     return &around;
 }
 
-/* Returns a thesis tank whose only fish are the `count` fish that `stages` describes. The result is
- * valid until the next call. */
+/* Returns a tank of the thesis whose only fish are the `count` fish that `stages` describes. The
+ * result is valid until the next call. */
 static inline struct tank *thesis_stage(const struct tank_stage *stages, uint32_t count,
                                         uint32_t seed)
 {
@@ -39,8 +39,9 @@ static inline struct tank *thesis_stage(const struct tank_stage *stages, uint32_
     return &tank;
 }
 
-/* Largest misfit of a uniform sample of n values in uniform_misfit(): the critical value of the
- * Kolmogorov-Smirnov test. A uniform sample exceeds this value with a probability of 1 %. */
+/* Largest misfit of n values that uniform_misfit() may return for a uniform sample. It is the
+ * critical value of the Kolmogorov-Smirnov test, which a uniform sample exceeds with a probability
+ * of 1 %. */
 #define UNIFORM_MISFIT_MAX(n) (1.63f / f_sqrt((float)(n)))
 
 /* Compares two floats for qsort() in ascending order. */
@@ -50,8 +51,8 @@ static inline int thesis_by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Returns the Kolmogorov-Smirnov misfit: the greatest distance between the distribution of the
- * sample and the uniform distribution in [low, high]. Sorts the sample. */
+/* Returns the Kolmogorov-Smirnov misfit of the sample, which is the greatest distance between its
+ * distribution and the uniform distribution in [low, high]. The function sorts the sample. */
 static inline float uniform_misfit(float *sample, uint32_t count, float low, float high)
 {
     float worst = 0.0f;

@@ -1,4 +1,4 @@
-/* throng.h -- many randomly placed fish in the tank of the thesis, for tests of the neighbour
+/* throng.h -- many fish at random places in the tank of the thesis, for tests of the neighbour
  * search. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_THRONG_H
 #define KINGYO_TESTS_UNIT_SUPPORT_THRONG_H
@@ -11,7 +11,8 @@ static struct broad_phase broad_phase;
 static struct fish fish[768];
 static const vec3 tank_m = { 1.36f, 0.20f, 0.65f };
 
-/* Updates the broad phase (the spatial index of the neighbour search) with all fish at `tick`. */
+/* Updates the broad phase, which is the spatial index of the neighbour search, with all fish at
+ * tick `tick`. */
 static inline void look(uint32_t tick)
 {
     struct perception around = *pond_at(1, tick);
@@ -25,8 +26,8 @@ static inline float draw(uint32_t who, uint32_t purpose, float low, float high)
     return rng_range((struct rng_key){ 21, 0, who, purpose }, low, high);
 }
 
-/* Places the first `count` fish at random. `pitch_max` is the largest pitch in rad, and
- * `length_max` is the largest length in m. */
+/* Places the first `count` fish at random. Their pitch is at most `pitch_max` rad, and their length
+ * is at most `length_max` m. */
 static inline void fill_at_random(uint32_t count, float pitch_max, float length_max)
 {
     for (uint32_t i = 0; i < count; i++) {

@@ -1,4 +1,5 @@
-/* ui_fixture.h -- test fixture of the user interface, which is laid out without a display. */
+/* ui_fixture.h -- test fixture of the user interface. The interface is laid out without a
+ * display. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_UI_FIXTURE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_UI_FIXTURE_H
 
@@ -13,7 +14,7 @@
 
 #define SETTLED_TICK 100000u
 
-/* Size of a screen in pixels. */
+/* Size of a screen, in pixels. */
 struct size {
     float width, height;
 };
@@ -29,12 +30,12 @@ static struct scene scene;
 static struct ui_batch batch;
 static struct ui_memory memory;
 
-/* Rectangle in pixels. */
+/* Sides of a rectangle, in pixels. */
 struct bounds {
     float left, top, right, bottom;
 };
 
-/* Returns the rectangle of a quad. */
+/* Returns the rectangle of quad number `quad` of the layout. */
 static inline struct bounds bounds_of(uint32_t quad)
 {
     const struct ui_vertex *v = &batch.vertices[quad * 4u];
@@ -48,7 +49,7 @@ static inline struct bounds bounds_of(uint32_t quad)
     return bounds;
 }
 
-/* Sets up a scene of `phase` with four players and every possible element. */
+/* Sets up a scene in the phase `phase` with four players and every possible element. */
 static inline void set_scene(uint8_t phase, uint8_t language, uint8_t hint, float phase_s)
 {
     memset(&scene, 0, sizeof scene);
@@ -75,8 +76,8 @@ static inline void set_scene(uint8_t phase, uint8_t language, uint8_t hint, floa
     scene.call_s = 60.0f;
 }
 
-/* Sets the mode and the number of players. `variant` selects the announcement to all players, and
- * the fouls and the state of each player. */
+/* Sets the mode and the number of players. `variant` selects the announcement, and the fouls and
+ * the state of each player. */
 static inline void set_match(uint8_t mode, uint32_t players, uint8_t variant)
 {
     scene.mode = mode;
@@ -94,14 +95,14 @@ static inline void set_match(uint8_t mode, uint32_t players, uint8_t variant)
     }
 }
 
-/* Lays out the scene on a screen of the given size. */
+/* Lays out the scene on a screen of the size `size`. */
 static inline void lay_out(struct size size)
 {
     ui_screens(&batch, &memory, &scene, size.width, size.height);
     assert_int_equal(batch.unbaked_count, 0); /* Every drawn letter must be in the font. */
 }
 
-/* Returns the number of letters in the layout. */
+/* Returns how many letters the layout has. */
 static inline uint32_t glyph_quads(void)
 {
     uint32_t count = 0;

@@ -1,5 +1,5 @@
-/* test_startled_tank.c -- startles all fish of a tank at the same time. No fish may overlap
- * another, and all must escape. */
+/* test_startled_tank.c -- startles all fish of a tank at the same time. No fish may overlap another
+ * fish, and all fish must escape. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -33,7 +33,7 @@ static float deepest_m(uint32_t *over_half_mm)
     return deepest;
 }
 
-/* Startles all fish in one tick by a pressure stimulus in the middle of the tank. */
+/* Startles all fish in one tick, as if a pressure wave came from the middle of the tank. */
 static void startle_all(void)
 {
     for (uint32_t i = 0; i < tank.fish_count; i++) {
@@ -77,7 +77,7 @@ static void check_panic(uint8_t preset, uint32_t fish_count, uint32_t seed, floa
         tank_tick(&tank, 3u * CORE_TICK_HZ + tick, NULL, 0);
         deepest = f_max(deepest, deepest_m(&over));
         start = tick == 10u ? escaping() : start;
-        /* The escape starts in tick 1. Tick 13 is 100 ms later (12 ticks). */
+        /* Tick 13 is 12 ticks (100 ms) after the escape began in tick 1. */
         way = tick == 13u ? mean_way_lengths() : way;
     }
     print_message("%u fish, %u start: deepest %.2f mm, %u pair-ticks over 0.5 mm, %.2f lengths "

@@ -1,5 +1,5 @@
-/* test_tank.c -- checks whole tanks: minutes with 300 fish, a poi that is dragged through them, and
- * repeatability. */
+/* test_tank.c -- checks whole tanks: minutes with 300 fish, a poi that is dragged through the fish,
+ * and repeatability. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -64,7 +64,7 @@ static void test_a_tank_accepts_exactly_the_maximum_fish_count(void **state)
     struct core_config config = { .seed = 3 };
     config.fish_count = tank_preset_fish_max(tank_preset(0), 1.0f) + 1u;
     assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);
-    /* core_init() failed, so no tank was opened. */
+    /* core_init() has failed, so no tank was opened. */
     assert_int_equal(core.world.tank.fish_count, 0);
     expect_assert_failure(open_tank(&tank, 0, config.fish_count, 3));
     config.fish_count--;
@@ -72,8 +72,8 @@ static void test_a_tank_accepts_exactly_the_maximum_fish_count(void **state)
     assert_int_equal(core.world.tank.fish_count, config.fish_count);
 }
 
-/* Returns the greatest jump of a fish in the last tick: the part of its displacement beyond its own
- * speed (at least 1.5 lengths per second) plus 3 cm/s. */
+/* Returns the greatest jump of a fish in the last tick. A jump is the part of the displacement that
+ * exceeds the fish's own speed (at least 1.5 lengths per second) plus 3 cm/s. */
 static float jump_m(const struct tank *t)
 {
     float farthest_m = 0.0f;
@@ -137,7 +137,7 @@ static void test_every_fish_stays_valid_separate_and_inside_for_minutes(void **s
             const struct fish *fish = &tank.fish[i];
             check_inside(fish, tank.size_m);
             assert_true(f_abs(fish->angles.pitch_rad) < 26.0f * F_DEG);
-            /* Only an escape turns a fish faster than 540 degrees per second. */
+            /* Only an escaping fish may turn faster than 540 degrees per second. */
             assert_true(f_abs(fish->yaw_rate_rad_s) < 540.0f * F_DEG);
             assert_true(fish->tail_phase_rad >= 0.0f && fish->tail_phase_rad < F_TAU);
             const float gap =
@@ -160,11 +160,11 @@ static void test_every_fish_stays_valid_separate_and_inside_for_minutes(void **s
         (double)((float)near_wall / all), (double)((float)jolts / all));
     assert_true(deepest < 0.004f);
     assert_true(over < 6u);
-    /* A single fish swims at 1.05 lengths per second. If the mean were below half of this, the fish
-     * would block each other. */
+    /* A single fish swims at 1.05 lengths per second. A mean below half of this would mean that the
+     * fish block each other. */
     assert_true(swim_lengths / (float)gaits[GAIT_SWIM] > 0.5f);
-    /* 28 % of the tank's area is within 5 cm of a wall. A similar share of the fish must be there,
-     * so fish must not crowd at the walls. */
+    /* 28 % of the tank's area is within 5 cm of a wall. The share of the fish that are there must
+     * be similar, because fish must not crowd at the walls. */
     assert_float_equal((float)near_wall / all, 0.28f, 0.12f);
     assert_float_equal((float)gaits[GAIT_REST] / all, 0.65f, 0.08f);
     assert_true((float)jolts / all < 0.001f);
@@ -193,7 +193,8 @@ static void test_a_copy_of_a_tank_continues_identically(void **state)
     open_tank(&tank, TANK_PRESET_FESTIVAL, 80, 3);
     run(&tank, 0, 500, 0, 0);
     twin = tank;
-    /* The broad phase is computed anew in tick 500, so its old contents must have no effect. */
+    /* Overwrites the broad phase. This must have no effect, because the broad phase is computed
+     * anew in tick 500. */
     memset(&twin.broad_phase, 0x5a, sizeof twin.broad_phase);
     run(&tank, 500, 500, 0, 0);
     run(&twin, 500, 500, 0, 0);
@@ -213,12 +214,13 @@ static struct obstacle disc_at(vec3 centre, vec3 velocity)
 /* Measurements of a disc that is dragged through the fish. */
 struct dragged {
     uint32_t escapes, near_samples, over;
-    /* Deepest overlaps of two fish and of a fish with the ring, and largest jump of a fish (m). */
+    /* Deepest overlap of two fish, deepest overlap of a fish with the ring, and largest jump of a
+     * fish, all in m. */
     float body_m, ring_m, jump_m;
     float lag_m; /* Largest distance by which fish held the disc back (m). */
 };
 
-/* Returns the distance from a point to a disc (the ring and its paper). */
+/* Returns the distance between a point and a disc, which stands for the ring and its paper. */
 static float disc_distance_m(const struct obstacle *disc, vec3 point_m)
 {
     const vec3 d = v3_sub(point_m, disc->centre_m);
@@ -237,8 +239,8 @@ static void look_at_the_ring(struct dragged *dragged, const struct obstacle *dis
     }
 }
 
-/* Drags a disc along the tank at half depth. Each tick begins at the position where fish stopped
- * the disc. */
+/* Drags a disc along the tank at half the depth. Fish may stop the disc, and each tick begins where
+ * the fish stopped it. */
 static struct dragged drag(float speed_m_s, vec3 normal)
 {
     struct dragged dragged = { 0 };
@@ -262,7 +264,7 @@ static struct dragged drag(float speed_m_s, vec3 normal)
             dragged.escapes += tank.fish[i].gait == GAIT_ESCAPE && was[i] != GAIT_ESCAPE;
             dragged.near_samples += disc_distance_m(&disc, tank.fish[i].position_m) < 0.02f;
         }
-        /* The disc appears in the middle of fish, so the first 0.1 s are not measured. */
+        /* Does not measure the first 0.1 s, because the disc appears in the middle of fish. */
         if (tick > CORE_TICK_HZ / 10u) {
             look_at_the_ring(&dragged, &disc);
         }
@@ -292,8 +294,8 @@ static void test_the_fullest_tank_of_each_preset_starts_without_an_overlap(void 
     }
 }
 
-/* In the smallest tank, one seed in a hundred gives initial positions at which a few fish push each
- * other without end. tank_open() must then choose other positions. */
+/* In the smallest tank, one of a hundred seeds gives initial positions at which a few fish push
+ * each other without end. tank_open() must then choose other positions. */
 static void test_the_smallest_tank_has_room_for_its_fish_with_every_seed(void **state)
 {
     (void)state;
@@ -307,8 +309,8 @@ static void test_the_smallest_tank_has_room_for_its_fish_with_every_seed(void **
     }
 }
 
-/* The tank measures 6.7 x 6.7 cm and gets two fish of up to 8 cm. For some seeds there is no room,
- * and tank_open() must return an error. */
+/* The tank measures 6.7 x 6.7 cm and gets two fish of up to 8 cm. With some seeds there is no room
+ * for them, so tank_open() must return an error. */
 static void test_a_tank_without_room_is_rejected(void **state)
 {
     (void)state;
@@ -329,8 +331,8 @@ static void test_a_tank_without_room_is_rejected(void **state)
     assert_in_range(refused, 1, 20);
 }
 
-/* A fish that tank_stage_all() places must have the speed and heading of its stage (its given
- * state) in the first tick. Its own next update may be three ticks later. */
+/* A fish that tank_stage_all() places in a given state (stage) must have the speed and the heading
+ * of this state in the first tick. The next update of the fish itself may be three ticks later. */
 static void test_a_staged_fish_has_its_staged_motion_from_the_first_tick(void **state)
 {
     (void)state;
@@ -366,8 +368,8 @@ static void test_a_fast_disc_scatters_fish_and_a_slow_one_does_not(void **state)
     const struct dragged fast = drag(0.40f, slant_30_deg);
     assert_int_equal(slow.escapes, 0);
     assert_true(fast.escapes >= 10);
-    /* Fish overlap each other and the ring by less than 0.5 mm. The slow ring moves no fish by 4 mm
-     * or more in a tick. */
+    /* No fish may overlap another fish or the ring by 0.5 mm or more. The slow ring may move no
+     * fish by 4 mm or more in a tick. */
     assert_true(slow.body_m < 0.0005f && slow.ring_m < 0.0005f && slow.jump_m < 0.004f);
     assert_true(fast.body_m < 0.0005f && fast.ring_m < 0.0005f && fast.over == 0);
     assert_true(slow.lag_m < 0.005f && fast.lag_m < 0.01f);
@@ -402,7 +404,8 @@ static void test_held_and_bowl_fish_are_not_changed(void **state)
     open_tank(&tank, TANK_PRESET_FESTIVAL, 60, 8);
     tank.fish[3].gait = GAIT_HELD;
     tank.fish[4].gait = GAIT_BOWL;
-    /* The held fish has the same position as a swimming fish. Neither may push the other. */
+    /* Places the held fish at the position of a swimming fish. Neither of the two may push the
+     * other. */
     tank.fish[3].position_m = tank.fish[5].position_m;
     const uint64_t held = field_hash(HASH_START, &fish_fields, &tank.fish[3]),
                    bowl = field_hash(HASH_START, &fish_fields, &tank.fish[4]);
@@ -427,7 +430,7 @@ static void test_a_fish_that_a_poi_releases_falls_in_and_flees(void **state)
     open_tank(&tank, TANK_PRESET_FESTIVAL, 1, 8);
     const struct fish *fish = drop(v3(0.1f, 0.0f, 0.0f));
     run(&tank, 0, 10, 0, 0);
-    /* After 10 ticks the fish is still falling. The falling fish must not jump into the water. */
+    /* After 10 ticks the fish must still be falling, because it must not jump into the water. */
     assert_true(fish->position_m.y < 0.08f && fish->position_m.y > 0.0f);
     run(&tank, 10, 40, 0, 0);
     assert_int_equal(fish->gait, GAIT_ESCAPE);

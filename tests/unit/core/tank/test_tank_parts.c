@@ -1,5 +1,5 @@
-/* test_tank_parts.c -- checks that the contact solver's copies of positions and predicted gaps
- * agree with the true positions of the bodies. */
+/* test_tank_parts.c -- checks data that the contact solver keeps. Its copies of positions and its
+ * predicted gaps must agree with the true positions of the bodies. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -30,14 +30,14 @@ static int swims(const struct tank *t, uint32_t index)
 
 /* ---- Fish scooped between two updates ------------------------------------------------------- */
 
-/* Removes a fish from the water, as a poi does that lifts it. */
+/* Removes a fish from the water, as a poi does when it lifts a fish. */
 static void scoop(struct tank *t, uint32_t index)
 {
     t->fish[index].gait = GAIT_HELD;
     t->fish[index].holder = 0;
 }
 
-/* Moves the broad phase's old copy of a removed fish to a place. */
+/* Moves the copy of a removed fish, which the broad phase still has, to the place `place_m`. */
 static void ghost_at(struct tank *t, uint32_t index, vec3 place_m)
 {
     t->broad_phase.body[index].centre_m = place_m;
@@ -86,9 +86,9 @@ static vec3 nearest_in(const struct box *box, vec3 point_m)
     return v3_add(box->centre_m, vec_basis_to_world(&box->axes, q));
 }
 
-/* Returns the true distance of two boxes. Projects a point alternately onto both boxes until it
- * converges to the nearest points. The largest gap along one separating axis would be too small if
- * the boxes are nearest at two corners. */
+/* Returns the true distance of two boxes. A point is projected alternately onto both boxes until it
+ * converges to the nearest points. The largest gap along a separating axis cannot be used, because
+ * it is too small if the boxes are nearest at two corners. */
 static float apart_m(const struct box *a, const struct box *b)
 {
     vec3 in_a = a->centre_m, in_b = b->centre_m;
@@ -99,8 +99,8 @@ static float apart_m(const struct box *a, const struct box *b)
     return v3_length(v3_sub(in_a, in_b));
 }
 
-/* Returns the largest amount by which a pair is nearer than its predicted gap. Only pairs with a
- * positive predicted gap count. */
+/* Returns by how much a pair of fish is nearer than its predicted gap, at most over all pairs. Only
+ * pairs with a positive predicted gap count. */
 static float worst_violation_m(const struct broad_phase *broad_phase)
 {
     float worst_m = 0.0f;
@@ -119,7 +119,7 @@ static float worst_violation_m(const struct broad_phase *broad_phase)
     return worst_m;
 }
 
-/* Returns a ring that moves to and fro through the fish. */
+/* Returns a ring that moves from side to side through the fish. */
 static struct obstacle swept(uint32_t tick, float speed_m_s)
 {
     const float reach_m = 0.5f * tank.size_m.x - 0.06f;

@@ -23,14 +23,15 @@ static struct fish rested(uint8_t gait)
                           .gait_left_s = 1.0f };
 }
 
-/* Returns the surroundings of a fish in water with enough oxygen, so that gulping (section 3.6)
- * does not disturb the test. */
+/* Returns the surroundings of a fish in water with enough oxygen. The fish does not gulp there
+ * (section 3.6), so that gulping does not disturb the test. */
 static const struct perception *at(uint32_t tick)
 {
     static struct behavior_params params;
     static struct perception around;
     params = *thesis_params();
-    /* Only a lack of oxygen may cause gulping here, and there is enough oxygen. */
+    /* In these surroundings, only a lack of oxygen may cause gulping, and the water has enough
+     * oxygen. */
     params.air_by_oxygen = 1;
     around = *thesis_at(7, tick);
     around.params = &params;
@@ -41,7 +42,7 @@ static const struct perception *at(uint32_t tick)
 static void test_3_3_speeds_are_half_of_the_value_of_eq_2_1(void **state)
 {
     (void)state;
-    /* Stride in body lengths per tail beat (equation 2.2). */
+    /* Distance that a fish moves with one tail beat, in body lengths (equation 2.2). */
     const float stride = 0.6f, length_m = 0.05f;
     const struct fish burst = rested(GAIT_BURST), swim = rested(GAIT_SWIM);
     assert_float_equal(gait_speed_m_s(&burst, at(0)), 0.5f * stride * 10.0f * length_m, 1e-6f);
@@ -50,8 +51,9 @@ static void test_3_3_speeds_are_half_of_the_value_of_eq_2_1(void **state)
                        1e-6f);
 }
 
-/* The thesis prints s = d (0.8 + H / 5) with stamina H from 0 to 100, which would give 20.8 d at H
- * = 100. Here H is a fraction, so the speed falls to four fifths at H = 0. */
+/* The thesis prints s = d (0.8 + H / 5) with a stamina H from 0 to 100. This would give 20.8 d at H
+ * = 100. The code therefore uses H as a fraction from 0 to 1, so that the speed is 0.8 d at H = 0
+ * and d at H = 1. */
 static void test_3_3_both_speeds_fall_to_four_fifths_with_stamina(void **state)
 {
     (void)state;
@@ -66,8 +68,8 @@ static void test_3_3_both_speeds_fall_to_four_fifths_with_stamina(void **state)
     }
 }
 
-/* Equation 2.3 gives the thesis' time of 0.1639 s only with the decadic logarithm and a length in
- * cm. The thesis truncates the value to 0.163. */
+/* The thesis computes a time of 0.1639 s from equation 2.3, and truncates it to 0.163. The equation
+ * gives this value only with the decadic logarithm and a length in cm. */
 static void test_eq_2_3_the_acceleration_time_at_5_cm_is_0_1639_s(void **state)
 {
     (void)state;
@@ -75,8 +77,8 @@ static void test_eq_2_3_the_acceleration_time_at_5_cm_is_0_1639_s(void **state)
     assert_float_equal(3.0f * gait_run_up_s(0.04f), 0.1467f, 0.0005f);
 }
 
-/* By section 2.1, a fish reaches "95 % of the burst speed" after T_d, hence v = v_t (1 - exp(-3 t /
- * T_d)). Section 3.3 uses the same law for swimming. */
+/* By section 2.1, a fish reaches "95 % of the burst speed" after the time T_d. This is the law v =
+ * v_t (1 - exp(-3 t / T_d)). Section 3.3 uses the same law for swimming. */
 static void check_run_up(uint8_t gait, float goal_m_s)
 {
     const struct tank_stage start = { .position_m = { 0.0f, -0.18f, 0.2f },
@@ -98,7 +100,7 @@ static void test_2_1_bursts_and_swims_accelerate_by_the_same_law(void **state)
     check_run_up(GAIT_SWIM, 0.0525f);
 }
 
-/* The top speed limits the total motion. Diving, climbing or being pushed must not make a fish
+/* The top speed must limit the whole motion. A fish that dives, climbs or is pushed must not be
  * faster. */
 static void check_top_speed(uint8_t gait, float push_m_s, float most_m_s, float least_m_s)
 {
@@ -148,8 +150,8 @@ static void test_eqs_3_1_to_3_3_choose_the_gait_by_stamina(void **state)
     check_choice(0.25f, 0.025f, 0.20f);
 }
 
-/* Equation 3.2 gives swimming a probability of 0.1 at H = 0, but the text of the thesis excludes
- * swimming. The code follows the text. */
+/* Equation 3.2 gives a fish without stamina (H = 0) a probability of 0.1 to swim, but the text of
+ * the thesis excludes this. The code follows the text. */
 static void test_3_2_a_fish_without_stamina_always_rests(void **state)
 {
     (void)state;
@@ -196,14 +198,15 @@ static void test_3_2_of_100_a_burst_takes_1_a_second_a_swim_0_2_and_rest_gives_0
     check_cost(GAIT_REST, 0.1f);
 }
 
-/* Tests only equations 3.1 to 3.3: 200 fish with an initial stamina of 30 to 100 run for half an
- * hour and are then sampled for an hour. Gulping (section 3.6) is disabled, because it would
- * restore the stamina. In equilibrium the equations give 0.80 % bursts, 30.4 % swimming, 68.8 %
+/* Tests equations 3.1 to 3.3 alone, so gulping (section 3.6), which would restore the stamina, is
+ * disabled. The 200 fish start with a stamina of 30 to 100. They run for half an hour and are then
+ * sampled for an hour. In equilibrium, the equations give 0.80 % bursts, 30.4 % swimming, 68.8 %
  * rest and a mean stamina of 47.9. */
 static void test_3_2_the_long_run_has_0_8_percent_burst_31_swim_68_rest_and_h_48(void **state)
 {
     (void)state;
-    /* Behavior updates of a fish per second, as in the tank (one in four ticks). */
+    /* Number of behavior updates per second. As in the tank, a fish is updated in one of four
+     * ticks. */
     const uint32_t hz = 30;
     float spent[GAIT_COUNT] = { 0.0f }, stamina = 0.0f;
     for (uint32_t i = 0; i < 200; i++) {
@@ -234,8 +237,9 @@ static void test_3_2_the_long_run_has_0_8_percent_burst_31_swim_68_rest_and_h_48
     assert_float_equal(stamina, 0.48f, 0.01f);
 }
 
-/* Section 3.3 gives no angles. The code draws a new heading from a normal distribution of 45
- * degrees around the old one, and a sharp turn to either side for a burst. */
+/* Section 3.3 gives no angles. In the code, a new heading is drawn from a normal distribution
+ * around the old one with a deviation of 45 degrees. A burst begins with a sharp turn to either
+ * side. */
 static void test_3_3_the_heading_changes_with_the_gait(void **state)
 {
     (void)state;
@@ -262,8 +266,8 @@ static void test_3_3_the_heading_changes_with_the_gait(void **state)
     assert_in_range(left, 1900, 2100);
 }
 
-/* By section 3.2 a resting fish "stands still". In the code it first glides until it is slow, and
- * then drifts at up to 0.5 cm/s. */
+/* By section 3.2, a resting fish "stands still". In the code, the fish first glides until it is
+ * slow, and then drifts at up to 0.5 cm/s. */
 static void test_3_2_a_fish_that_comes_to_rest_glides_down_and_holds_its_depth(void **state)
 {
     (void)state;

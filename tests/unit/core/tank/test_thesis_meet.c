@@ -10,7 +10,8 @@
 #include "core/tank/behavior/avoid.h"
 #include "tests/unit/support/thesis.h"
 
-/* Returns a fish with a heading in degrees (0 is -z, 90 is to the left) and a pitch. */
+/* Returns a fish with a heading and a pitch in degrees. Heading 0 is toward -z, and 90 is to the
+ * left. */
 static struct avoid_party party(float x_cm, float z_cm, float yaw_deg, float pitch_deg,
                                 uint16_t index)
 {
@@ -32,8 +33,8 @@ static struct avoid_pair meet(const struct avoid_party *a, const struct avoid_pa
     return avoid_meet(a, b, 0.015f, thesis_params(), 1, tick);
 }
 
-/* Returns the kind of encounter of fish `a`, which swims toward -z, and fish `b` with the heading
- * `yaw_deg`. */
+/* Returns the kind of encounter of the two fish a and b. Fish a swims toward -z, and fish b has the
+ * heading `yaw_deg`. */
 static uint8_t kind_at(float yaw_deg, float a_pitch_deg, float b_pitch_deg)
 {
     const struct avoid_party a = party(0.0f, 6.0f, 0.0f, a_pitch_deg, 1);
@@ -56,9 +57,9 @@ static void test_3_4_the_angle_of_the_headings_gives_the_class(void **state)
     }
 }
 
-/* Equation 3.4 uses the angle in space. A gulping fish with a pitch of 45 degrees that meets
- * another nose to nose would then count as hit from the side. The code therefore uses the angle
- * seen from above. */
+/* Equation 3.4 uses the angle in space. If a gulping fish with a pitch of 45 degrees met another
+ * fish nose to nose, the fish would then count as hit from the side. The code therefore uses the
+ * angle seen from above. */
 static void test_eq_3_4_uses_the_horizontal_plane(void **state)
 {
     (void)state;
@@ -67,8 +68,8 @@ static void test_eq_3_4_uses_the_horizontal_plane(void **state)
     assert_int_equal(kind_at(0.0f, 45.0f, -30.0f), MEET_REAR_END);
 }
 
-/* Rounding can make the argument of arccos larger than 1, and a vertical fish has no heading. The
- * angle must not be NaN in either case. */
+/* The angle must never be NaN. Rounding can make the argument of arccos larger than 1, and a
+ * vertical fish has no heading. */
 static void test_eq_3_4_never_gives_a_nan_angle(void **state)
 {
     (void)state;
@@ -85,8 +86,8 @@ static void test_eq_3_4_never_gives_a_nan_angle(void **state)
     }
 }
 
-/* The angle alone would classify fish side by side as rear-end and fish that have already passed as
- * head-on. Only fish that approach each other may count. */
+/* By the angle alone, fish side by side would count as a rear-end encounter, and fish that have
+ * passed each other as head-on. Only fish that approach each other may count. */
 static void test_3_4_only_fish_that_approach_meet(void **state)
 {
     (void)state;
@@ -108,9 +109,9 @@ static void test_3_4_head_on_fish_both_turn_left_or_both_right_equally_often(voi
     uint32_t left = 0;
     for (uint32_t tick = 0; tick < 4000; tick++) {
         const struct avoid_pair ab = meet(&a, &b, tick), ba = meet(&b, &a, tick);
-        /* Both fish turn left, or both turn right, each from its own view. */
+        /* Both fish must turn left or both must turn right, each from its own view. */
         assert_true(ab.a.turn == ab.b.turn && f_abs(ab.a.turn) == 1.0f);
-        /* Exchanging the two fish must not change the result. */
+        /* The order of the two fish in the arguments must not change the result. */
         assert_true(ba.a.turn == ab.a.turn);
         left += ab.a.turn > 0.0f;
     }
@@ -118,7 +119,7 @@ static void test_3_4_head_on_fish_both_turn_left_or_both_right_equally_often(voi
 }
 
 /* In the thesis, a fish that is hit from the side always "turns left", which leads toward the other
- * fish in half of the cases. In the code, it turns away from the side on which it is hit. */
+ * fish in half of the cases. In the code, it must turn away from the side on which it is hit. */
 static void check_side(float struck_yaw_deg, float behind, float away)
 {
     const struct avoid_party a = party(0.0f, 5.0f, 0.0f, 0.0f, 1);
@@ -128,7 +129,7 @@ static void check_side(float struck_yaw_deg, float behind, float away)
     for (uint32_t tick = 0; tick < 4000; tick++) {
         const struct avoid_pair pair = meet(&a, &b, tick);
         assert_true(f_abs(pair.a.turn) == 1.0f && pair.b.turn != 0.0f);
-        /* Both fish derive their turns from one random number, so that the turns match. */
+        /* The turns of both fish must match, because both are derived from one random number. */
         assert_int_equal(pair.a.turn == behind, pair.b.turn * away > 0.0f);
         sensible += pair.a.turn == behind;
     }
@@ -138,10 +139,11 @@ static void check_side(float struck_yaw_deg, float behind, float away)
 static void test_3_4_the_fish_that_hits_from_the_side_passes_behind_in_90_percent(void **state)
 {
     (void)state;
-    /* The struck fish swims to the left and is hit on its left side. The other fish turns right, so
-     * that it passes behind the struck fish. */
+    /* The struck fish swims to the left and is hit on its left side. The other fish must turn
+     * right, so that it passes behind the struck fish. */
     check_side(90.0f, -1.0f, -1.0f);
-    check_side(-90.0f, 1.0f, 1.0f); /* The same case, mirrored left to right. */
+    /* This case is the mirror image of the case before. */
+    check_side(-90.0f, 1.0f, 1.0f);
 }
 
 static void test_3_4_the_fish_that_faces_the_other_more_is_the_one_that_hits(void **state)
@@ -149,16 +151,16 @@ static void test_3_4_the_fish_that_faces_the_other_more_is_the_one_that_hits(voi
     (void)state;
     const struct avoid_party a = party(0.0f, 5.0f, 0.0f, 0.0f, 1);
     const struct avoid_party b = party(4.0f, 1.0f, 90.0f, 0.0f, 2);
-    /* Both fish face each other equally. The fish with the lower index must then count as the one
-     * that hits, in either order of the arguments. */
+    /* The two fish face each other in the same way, so the fish with the lower index must count as
+     * the one that hits. The order of the arguments must not matter. */
     for (uint32_t tick = 0; tick < 200; tick++) {
         const struct avoid_pair ab = meet(&a, &b, tick), ba = meet(&b, &a, tick);
         assert_true(ab.a.turn == ba.b.turn && ab.b.turn == ba.a.turn);
     }
 }
 
-/* In the thesis, the follower is the fish that "gets nearer by its own next move alone". Speeds do
- * not matter. */
+/* In the thesis, the follower is the fish that "gets nearer by its own next move alone". The speeds
+ * do not matter. */
 static void test_3_4_only_the_follower_turns_left_or_right_equally_often(void **state)
 {
     (void)state;
@@ -175,8 +177,9 @@ static void test_3_4_only_the_follower_turns_left_or_right_equally_often(void **
     assert_in_range(left, 1880, 2120);
 }
 
-/* In figure 3.6 of the thesis, both fish of a pair dive near the surface and rise elsewhere, which
- * does not separate them. In the code, the upper fish rises and the lower one dives. */
+/* In figure 3.6 of the thesis, both fish of a pair dive near the surface, and both rise elsewhere.
+ * This does not separate them. In the code, the upper fish must rise and the lower fish must
+ * dive. */
 static void test_3_4_the_upper_fish_rises_and_the_lower_dives_after_0_5_s_of_yaw(void **state)
 {
     (void)state;
@@ -212,7 +215,8 @@ static float pitch_way(float y_m, int8_t rise)
     return fish.avoid_turn;
 }
 
-/* A fish counts as near the surface or the floor if it is within its body's height of it. */
+/* A fish counts as near the surface (or the floor) if its distance from it is less than the height
+ * of its body. */
 static void test_3_4_a_fish_near_the_surface_dives_and_one_near_the_floor_rises(void **state)
 {
     (void)state;
@@ -222,8 +226,9 @@ static void test_3_4_a_fish_near_the_surface_dives_and_one_near_the_floor_rises(
     assert_true(pitch_way(-0.179f, -1) < 0.0f);
 }
 
-/* The thesis gives no formula for the repulsion. The code uses 2.25 cm/s at contact, the difference
- * between 7.5 and 5.25 cm/s in section 3.3, and 0 at a gap of 1 cm. */
+/* The thesis gives no formula for the repulsion. The code uses 2.25 cm/s for fish that touch, which
+ * is the difference between 7.5 and 5.25 cm/s in section 3.3. The repulsion falls to 0 at a gap of
+ * 1 cm. */
 static void test_3_4_repulsion_fills_the_headroom_of_3_3_within_1_cm(void **state)
 {
     (void)state;

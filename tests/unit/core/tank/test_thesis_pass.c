@@ -1,5 +1,6 @@
 /* test_thesis_pass.c -- checks how simulated fish pass each other by section 3.4 of the 2013
- * thesis: the distance at which they react, and the encounters of figures 4.1 to 4.12. */
+ * thesis. The tests cover the distance at which the fish react, and the encounters of figures 4.1
+ * to 4.12. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,8 +15,8 @@
 static struct tank_stage swimmer(float x_cm, float y_cm, float z_cm, float yaw_deg)
 {
     return (struct tank_stage){
-        /* With a stamina of 0.60, a fish stays at a depth of 13 cm, the depth of most of these
-         * fish. */
+        /* With a stamina of 0.60, a fish stays at a depth of 13 cm, at which most of these tests
+         * place it. */
         .position_m = { 0.01f * x_cm, 0.01f * y_cm, 0.01f * z_cm },
         .angles = { .yaw_rad = yaw_deg * F_DEG },
         .speed_m_s = 0.0525f * 0.92f,
@@ -24,8 +25,8 @@ static struct tank_stage swimmer(float x_cm, float y_cm, float z_cm, float yaw_d
     };
 }
 
-/* Returns the distance of the two fish (between centres) when the first one reacts, or 0 if none
- * reacts. */
+/* Returns the distance between the centres of the two fish when the first of them reacts, or 0 if
+ * no fish reacts. */
 static float reacts_at_m(const struct tank_stage stage[2])
 {
     struct tank *tank = thesis_stage(stage, 2, 4);
@@ -39,8 +40,9 @@ static float reacts_at_m(const struct tank_stage stage[2])
     return 0.0f;
 }
 
-/* Returns the reaction distance of two fish that swim toward each other, one of them shifted
- * sideways and upward. A fish 5 cm higher gets the stamina that fits its depth. */
+/* Returns the distance at which two fish that swim toward each other react. One fish is shifted by
+ * `aside_cm` and `above_cm`. A fish that is 5 cm higher gets the stamina that belongs to its
+ * depth. */
 static float meets_head_on_m(float aside_cm, float above_cm)
 {
     struct tank_stage stage[] = { swimmer(0.0f, -13.0f, 5.0f, 0.0f),
@@ -49,8 +51,9 @@ static float meets_head_on_m(float aside_cm, float above_cm)
     return reacts_at_m(stage);
 }
 
-/* Two personal spaces (boxes) touch when the bodies are 2 cm apart. The text of section 3.4 would
- * also allow that a space touches a body, at half of that distance. */
+/* Fish must react when their personal spaces (boxes) touch, which is at a gap of 2 cm between the
+ * bodies. The text of section 3.4 would also allow a reaction when a space touches a body, at half
+ * of this gap. */
 static void test_3_4_personal_spaces_of_7_by_4_by_3_cm_meet_box_against_box(void **state)
 {
     (void)state;
@@ -71,15 +74,15 @@ static void test_3_4_personal_space_never_shrinks_in_the_thesis(void **state)
         assert_float_equal(0.05f * tank.space, 0.01f, 1e-7f);
     }
     /* In the championship's tank, 1,000 spaces of 7 x 4 x 3 cm would fill 95 % of the water. The
-     * spaces are therefore smaller there. */
+     * spaces must therefore be smaller there. */
     open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
     assert_true(tank.space < 0.19f && tank.space > 0.15f);
     open_tank(&tank, TANK_PRESET_OFFICIAL, 2000, 1);
     assert_true(tank.space < 0.15f && tank.space > 0.04f);
 }
 
-/* Places a fish ahead of another and a third one at its side. Returns the fish that the first one
- * avoids, which must be the one that it would touch first. */
+/* Places one fish ahead of another fish, and a third fish at its side. Returns the fish that the
+ * middle one avoids, which must be the fish that it would touch first. */
 static fish_index gives_way_to(float ahead_gap_cm, float aside_gap_cm)
 {
     const struct tank_stage stage[] = {
@@ -114,7 +117,7 @@ static void test_3_4_repulsion_separates_resting_fish(void **state)
     for (uint32_t tick = 0; tick < 5u * CORE_TICK_HZ; tick++) {
         tank_tick(tank, tick, NULL, 0);
         for (uint32_t i = 0; i < 2; i++) {
-            /* The fish do not approach each other, so they do not avoid each other. Only the
+            /* The fish do not approach each other, so they must not avoid each other. Only the
              * repulsion separates them. */
             assert_int_equal(tank->fish[i].avoiding, AVOID_NONE);
             pushed_m_s = f_max(pushed_m_s, v3_length(tank->fish[i].push_m_s));
@@ -128,11 +131,14 @@ static void test_3_4_repulsion_separates_resting_fish(void **state)
 /* ---- Figures 4.1 to 4.12 ------------------------------------------------------------------ */
 
 struct encounter {
-    /* First and last tick of the avoidance; 0 if the fish did not react. */
+    /* Ticks in which the avoidance started and ended; 0 if the fish did not react. */
     uint32_t start_tick, done_tick;
-    float turned_rad[2];     /* Angles by which both fish have turned since the start. */
-    float gap_m, depth_m;    /* Minimum gap and deepest overlap. */
-    float apart_m, before_m; /* Distances of the centres at the end, and one second earlier. */
+    /* Angles by which the two fish have turned since the start. */
+    float turned_rad[2];
+    /* Smallest gap between the fish, and deepest overlap. */
+    float gap_m, depth_m;
+    /* Distance between the centres at the end, and one second before the end. */
+    float apart_m, before_m;
     uint8_t pitched, still_avoiding;
 };
 
@@ -166,8 +172,8 @@ static struct encounter play(const struct tank_stage stage[2], uint32_t seed)
     return e;
 }
 
-/* Checks the course of an encounter: the avoidance starts, ends within three seconds, and the fish
- * then separate or swim side by side. */
+/* Checks the course of an encounter. The avoidance must start and end within three seconds.
+ * Afterwards the fish must separate or swim side by side. */
 static void check_phases(const struct encounter *e)
 {
     assert_true(e->start_tick > 0);
@@ -187,7 +193,7 @@ static void test_figs_4_1_to_4_4_head_on_fish_pass_without_a_touch(void **state)
     for (uint32_t seed = 1; seed <= SEEDS; seed++) {
         const struct encounter e = play(stage, seed);
         check_phases(&e);
-        /* The product is positive if both fish turn left or both turn right, each from its own
+        /* The product is positive if both fish turn left or both fish turn right, each from its own
          * view. */
         assert_true(e.turned_rad[0] * e.turned_rad[1] > 0.0f);
         assert_false(e.pitched);
@@ -241,8 +247,8 @@ static void test_figs_4_9_to_4_12_a_fish_from_behind_passes_without_a_touch(void
     assert_true(gap_m > 0.003f);
 }
 
-/* Only the follower may avoid the leader. After it has turned by 20 degrees, the headings alone
- * would mean an encounter from the side, in which the leader would turn too. */
+/* Only the follower may avoid the leader. After the follower has turned by 20 degrees, the headings
+ * alone would mean an encounter from the side, in which the leader would turn too. */
 static void check_leader(const struct tank_stage stage[2], uint32_t seed, uint32_t *met)
 {
     struct tank *tank = thesis_stage(stage, 2, seed);
@@ -269,8 +275,9 @@ static void test_3_4_the_leader_never_turns_for_a_follower(void **state)
         stage[0].speed_m_s = 0.138f;
         stage[1].stamina = 0.26f + 0.01f * (float)(seed % 70u);
         check_leader(stage, seed, &met);
-        /* In the second encounter, the follower (stage[0]) is only slightly faster than the leader.
-         * The avoidance lasts for seconds, so the follower continues to avoid by pitch. */
+        /* In this second encounter, the follower (stage[0]) is only slightly faster than the
+         * leader. The avoidance therefore lasts for seconds, and the follower must continue it by
+         * pitch. */
         stage[0].gait = GAIT_SWIM;
         stage[0].position_m.z = 0.10f;
         stage[0].speed_m_s = 0.0525f;

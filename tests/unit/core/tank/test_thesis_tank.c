@@ -1,5 +1,5 @@
 /* test_thesis_tank.c -- checks whole tanks by sections 3.1, 3.2, 3.3 and 3.6 of the 2013 thesis:
- * size, initial states, walls and depths, and the motion of 600 fish. */
+ * the size of the tank, initial states, walls and depths, and the motion of 600 fish. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -20,11 +20,11 @@ static void test_3_1_the_tank_is_136_by_65_cm_with_walls_of_23_and_water_of_20(v
     (void)state;
     open_tank(&tank, TANK_PRESET_THESIS, FISH, 1);
     assert_float_equal(tank.size_m.x, 1.36f, 1e-6f);
-    /* Section 3.6 of the thesis gives a water depth of 20 cm. */
+    /* The water depth of 20 cm is given in section 3.6 of the thesis. */
     assert_float_equal(tank.size_m.y, 0.20f, 1e-6f);
     assert_float_equal(tank.size_m.z, 0.65f, 1e-6f);
     assert_float_equal(tank.wall_height_m, 0.23f, 1e-6f);
-    /* Section 4.1 of the thesis gives the number of fish. */
+    /* The number of fish is given in section 4.1 of the thesis. */
     assert_int_equal(tank_preset(TANK_PRESET_THESIS)->fish_count, FISH);
 }
 
@@ -51,13 +51,13 @@ static void test_3_2_initial_stamina_is_uniform_from_30_to_100(void **state)
         }
     }
     assert_true(uniform_misfit(drawn, 5u * FISH, 30.0f, 100.0f) < UNIFORM_MISFIT_MAX(5u * FISH));
-    /* uniform_misfit() has sorted the values, so the first is the lowest and the last the
-     * highest. */
+    /* uniform_misfit() has sorted the values, so the first value is the lowest and the last value
+     * is the highest. */
     assert_true(drawn[0] >= 30.0f && drawn[5u * FISH - 1u] < 100.0f);
 }
 
-/* The expected shares follow from equations 3.1 to 3.3: a burst lasts 2 s, swimming and rest 12.5
- * s, and the initial stamina is uniform from 30 to 100. */
+/* The expected shares follow from equations 3.1 to 3.3 with a burst of 2 s, swimming and rest of
+ * 12.5 s each, and an initial stamina that is uniform from 30 to 100. */
 static void test_3_2_initial_gaits_are_1_1_percent_burst_and_38_percent_swim(void **state)
 {
     uint32_t count[GAIT_COUNT] = { 0 };
@@ -84,15 +84,16 @@ static void test_3_3_initial_headings_are_uniform_from_0_to_360_degrees(void **s
             const float yaw_rad = tank.fish[i].angles.yaw_rad;
             drawn[seed * FISH + i] = yaw_rad < 0.0f ? yaw_rad + F_TAU : yaw_rad;
             assert_float_equal(tank.fish[i].angles.pitch_rad, 0.0f, 0.0f);
-            /* A fish starts without turning, so its goal is its current heading. */
+            /* A fish must start without turning, so the heading that it wants must be its current
+             * heading. */
             assert_true(tank.fish[i].heading_rad == yaw_rad);
         }
     }
     assert_true(uniform_misfit(drawn, 5u * FISH, 0.0f, F_TAU) < UNIFORM_MISFIT_MAX(5u * FISH));
 }
 
-/* Returns a tank with one fish that swims toward a wall. `off_deg` is the angle between its course
- * and the wall's normal. */
+/* Returns a tank with one fish that swims toward a wall. `off_deg` is the angle between the fish's
+ * course and the normal of the wall. */
 static struct tank *toward_wall(float off_deg, uint32_t seed)
 {
     const struct tank_stage start = {
@@ -105,8 +106,8 @@ static struct tank *toward_wall(float off_deg, uint32_t seed)
     return thesis_stage(&start, 1, seed);
 }
 
-/* By section 3.4 a fish reacts to objects within its personal space, which ends 1 cm ahead of its
- * nose. */
+/* By section 3.4, a fish reacts to objects within its personal space. This space ends 1 cm ahead of
+ * the nose. */
 static void test_3_1_a_fish_yaws_away_from_a_wall_when_it_hits_the_wall(void **state)
 {
     (void)state;
@@ -124,13 +125,14 @@ static void test_3_1_a_fish_yaws_away_from_a_wall_when_it_hits_the_wall(void **s
             assert_true(fish->position_m.z - box_extent_m(&box).z > -0.325f - 1e-5f);
             tank_tick(t, tick, NULL, 0);
         }
-        /* After 3 s at the wall (in direction -z), the fish faces away from it. */
+        /* The wall is in the direction -z. After 3 s there, the fish must face away from the
+         * wall. */
         assert_true(f_cos(fish->angles.yaw_rad) < 0.0f);
         const float z_m = fish->position_m.z;
         for (const uint32_t end = tick + CORE_TICK_HZ; tick < end; tick++) {
             tank_tick(t, tick, NULL, 0);
         }
-        /* One second later the fish is farther from the wall. */
+        /* One second later, the fish must be farther from the wall. */
         assert_true(fish->position_m.z > z_m);
     }
 }
@@ -148,9 +150,9 @@ static void test_3_1_a_fish_that_grazes_a_wall_turns_to_the_side_it_came_from(vo
     }
 }
 
-/* Checks that a fish with a certain stamina swims to its depth (8, 13 or 18 cm), whatever its
- * initial depth and gait. By section 3.6 a fish changes its depth by pitch while it swims. In the
- * code a resting fish also rises, because a tired fish rests most of its time. */
+/* Checks that a fish swims to the depth that belongs to its stamina (8, 13 or 18 cm), whatever its
+ * initial depth and gait are. By section 3.6, a fish changes its depth by pitch while it swims. In
+ * the code a resting fish also rises, because a tired fish rests most of its time. */
 static void check_depth(float stamina, uint8_t gait, float from_m, float depth_m)
 {
     const struct tank_stage start = {
@@ -167,7 +169,8 @@ static void check_depth(float stamina, uint8_t gait, float from_m, float depth_m
     }
     assert_float_equal(t->fish[0].position_m.y, -depth_m, 0.005f);
     assert_true(climb_max_m_s <= 0.0301f);
-    /* The fish must pitch on the way to another depth, and not rise or sink horizontally. */
+    /* On the way to another depth the fish must pitch, instead of rising or sinking
+     * horizontally. */
     assert_true(pitch_max_rad > 5.0f * F_DEG);
 }
 
@@ -220,8 +223,9 @@ static void test_fish_of_the_thesis_do_not_flee_or_doze_or_turn_at_random(void *
     }
 }
 
-/* The thesis states for a full tank that a fish returns to its depth after it has avoided another
- * fish. So at least 3/4 of the fish must be within 2 cm of the depth of their band. */
+/* By the thesis, a fish in a full tank returns to its depth after it has avoided another fish. At
+ * least 3/4 of the fish must therefore be within 2 cm of the depth that belongs to their
+ * stamina. */
 static void test_3_6_six_hundred_fish_keep_their_depths(void **state)
 {
     (void)state;
@@ -244,14 +248,15 @@ static void test_3_6_six_hundred_fish_keep_their_depths(void **state)
 /* ---- A full tank -------------------------------------------------------------------------- */
 
 struct bustle {
-    /* Mean speed of the fish with each gait, as a fraction of the mean speed of a single fish. */
+    /* Mean speed of the fish with each gait, as a fraction of the mean speed that a single fish
+     * has. */
     float pace[GAIT_COUNT];
-    /* Reversals per second and fish: turns of over 30 degrees per second to the left and then to
-     * the right, or vice versa. */
+    /* Number of reversals per second and fish. A reversal is a turn of over 30 degrees per second
+     * to one side, followed by such a turn to the other side. */
     float reversals_per_s;
     float yaw_rate_max_rad_s;
-    /* Share of the fish within 3/4 of a length of a wall: measured, and expected for an even
-     * distribution. */
+    /* Shares of the fish that are within 3/4 of a length of a wall: the measured share, and the
+     * share that an even distribution would give. */
     float at_walls, at_walls_if_even;
 };
 
@@ -266,7 +271,8 @@ static void watch(struct bustle_sums *sums, struct bustle *bustle, uint32_t tick
     struct perception around = { .params = tank_behavior_params(&tank),
                                  .size_m = tank.size_m,
                                  .tick = tick };
-    /* Without the alternation of beats and glides, gait_speed_m_s() returns the mean speed. */
+    /* Disables the alternation of beats and glides, so that gait_speed_m_s() returns the mean
+     * speed. */
     struct behavior_params even = *around.params;
     even.glides = 0;
     around.params = &even;
@@ -321,13 +327,15 @@ static struct bustle bustle_of(uint8_t preset, uint32_t fish_count)
 static void check_bustle(uint8_t preset, uint32_t fish_count)
 {
     const struct bustle bustle = bustle_of(preset, fish_count);
-    /* The pace is 1 for a fish without neighbours. Above 0.5, fish do not block each other. */
+    /* A fish without neighbours has the pace 1. With a pace above 0.5, the fish do not block each
+     * other. */
     assert_true(bustle.pace[GAIT_SWIM] > 0.5f);
     assert_true(bustle.pace[GAIT_BURST] > 0.5f);
-    /* With at most one reversal per second, fish do not tremble. */
+    /* With at most one reversal per second, the fish do not tremble. */
     assert_true(bustle.reversals_per_s < 1.0f);
     assert_true(bustle.yaw_rate_max_rad_s < 721.0f * F_DEG);
-    /* Less than 1.5 times the expected share is near the walls, so fish do not crowd there. */
+    /* The share of fish near the walls must be less than 1.5 times the expected share, because fish
+     * must not crowd there. */
     assert_true(bustle.at_walls < 1.5f * bustle.at_walls_if_even);
 }
 

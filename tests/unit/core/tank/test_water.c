@@ -55,8 +55,8 @@ static void test_a_press_lowers_the_middle_and_keeps_the_volume(void **state)
     }
     const float middle = water.height_m[water.newest][RIPPLE_Z / 2][RIPPLE_X / 2];
     assert_true(middle < -0.003f && middle >= -0.004f);
-    /* Pressing on the water must conserve its volume. The sum over all cells stays near 0, although
-     * the initial hollow alone adds about -0.1. */
+    /* A press on the water must conserve its volume, so the sum over all cells stays near 0. The
+     * initial hollow alone would give about -0.1. */
     assert_true(fabs(volume) < 0.002);
 }
 
@@ -72,8 +72,8 @@ static void test_a_wave_reflects_at_the_wall_at_the_expected_time(void **state)
             first_s = (float)i / 60.0f;
         }
     }
-    /* At 23 cm/s the wave needs about half a second for the 12.5 cm to the wall. The size of the
-     * pressed area shortens the way. */
+    /* At 23 cm/s, a wave needs about half a second for the 12.5 cm to the wall. The time may be
+     * shorter, because the pressed area extends toward the wall. */
     assert_true(first_s > 0.3f && first_s < 0.65f);
 }
 

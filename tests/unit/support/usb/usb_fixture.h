@@ -1,4 +1,5 @@
-/* usb_fixture.h -- simulated USB devices, and a test fixture that runs the USB thread with them. */
+/* usb_fixture.h -- simulated USB devices, and a test fixture that runs the drivers' USB thread with
+ * them. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_USB_USB_FIXTURE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_USB_USB_FIXTURE_H
 
@@ -31,8 +32,8 @@ static const uint8_t joystick_descriptor[] = {
     0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x08, 0x81, 0x02, 0xc0,
 };
 
-/* Report descriptor of eight vendor-defined bytes, as in the first interface of tablets and
- * wireless receivers. */
+/* Report descriptor of eight vendor-defined bytes. The first interface of tablets and wireless
+ * receivers has such a descriptor. */
 static const uint8_t vendor_descriptor[] = {
     0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x09, 0x01, 0x15, 0x00,
     0x26, 0xff, 0x00, 0x75, 0x08, 0x95, 0x08, 0x81, 0x02, 0xc0,
@@ -70,7 +71,7 @@ static const uint8_t vendor_descriptor[] = {
         .descriptor_size = sizeof joystick_descriptor,                                             \
     }
 
-/* A Kingyo poi controller of another maker, with that maker's USB vendor id. */
+/* A Kingyo poi controller from another maker, whose USB vendor id it has. */
 static const struct usb_sim_kind own_poi = {
     .vendor = 0xcafe,
     .product = 0x0b01,
@@ -120,17 +121,19 @@ static const struct usb_sim_kind keyboard = {
     .interface = { KEYBOARD_INTERFACE },
 };
 
-/* Test fixture: the temporary folders of one test, and the USB thread that uses the folders. */
+/* Test fixture with the temporary folders of one test, and the USB thread that uses these
+ * folders. */
 struct usb_fixture {
     char folder[64], sysfs[96], choices[96];
     struct usb_event_thread *thread;
     char why[HAL_TEXT_SIZE];
-    pthread_mutex_t lock; /* Lock of `message_count` and `message`, which the USB thread writes. */
+    /* Protects `message_count` and `message`, which the USB thread writes. */
+    pthread_mutex_t lock;
     uint32_t message_count;
     char message[HAL_TEXT_SIZE];
 };
 
-/* Callback with which the USB thread reports the text `line`. Takes the lock. */
+/* Stores the text `line`, which the USB thread reports through this callback. Takes the lock. */
 static inline void fixture_on_message(void *self, const char *line)
 {
     struct usb_fixture *fixture = self;
@@ -165,7 +168,7 @@ static inline void fixture_prepare(struct usb_fixture *fixture)
     usb_sim_begin(fixture->sysfs);
 }
 
-/* Starts the USB thread with the given clock. `listed` are the keys of the devices that may
+/* Starts the USB thread with the clock `clock`. `listed` has the keys of the devices that may
  * play. */
 static inline void fixture_start_with(struct usb_fixture *fixture, struct hal_clock clock,
                                       const struct usb_key *listed, uint32_t listed_count)
@@ -182,7 +185,7 @@ static inline void fixture_start_with(struct usb_fixture *fixture, struct hal_cl
     fixture->thread = usb_transport_start(&config, fixture->why);
 }
 
-/* Starts the USB thread with the real clock. `listed` are the keys of the devices that may play. */
+/* Starts the USB thread with the real clock. `listed` has the keys of the devices that may play. */
 static inline void fixture_start(struct usb_fixture *fixture, const struct usb_key *listed,
                                  uint32_t listed_count)
 {
@@ -200,7 +203,7 @@ static inline uint32_t fixture_end(struct usb_fixture *fixture)
     return left + (system(command) != 0);
 }
 
-/* Returns row `index` of the device list. */
+/* Returns the row `index` of the device list. */
 static inline struct hid_row fixture_row(struct usb_fixture *fixture, uint32_t index)
 {
     struct hid_row rows[CONTROLLER_MAX];
@@ -239,8 +242,8 @@ static inline int fixture_open(struct usb_fixture *fixture, uint32_t index,
     return 0;
 }
 
-/* Waits until the port of slot `index` returns a report or an error from take(). Returns the result
- * of take(), or 0 on timeout. */
+/* Waits until the port of slot `index` has a report or an error, and takes it. Returns the result
+ * of hid_port_take(), or 0 on timeout. */
 static inline int fixture_take(struct usb_fixture *fixture, uint32_t index, struct hid_raw *raw)
 {
     struct hid_port *const port = usb_transport_port(fixture->thread, index);

@@ -39,8 +39,8 @@ void bus_unlock(void)
     pthread_mutex_unlock(&bus.lock);
 }
 
-/* Counts a libusb call. A call from a thread other than the drivers' thread is a breach. The caller
- * holds the lock of the bus. */
+/* Counts a libusb call. If a thread other than the drivers' thread made the call, it is a breach.
+ * The caller holds the lock of the bus. */
 void bus_note_call(const char *name)
 {
     bus.calls++;
@@ -49,8 +49,8 @@ void bus_note_call(const char *name)
     }
 }
 
-/* Counts a libusb call that communicates with a device and therefore blocks. A call from within a
- * callback is a breach. The caller holds the lock of the bus. */
+/* Counts a libusb call that communicates with a device and therefore blocks. If a callback made the
+ * call, it is a breach. The caller holds the lock of the bus. */
 void bus_note_talk(const char *name)
 {
     bus_note_call(name);
@@ -313,8 +313,8 @@ uint32_t usb_sim_end(void)
         left += bus.handles[i] != NULL;
     }
     for (uint32_t i = 0; i < bus.device_count; i++) {
-        left += bus.devices[i]->references - 1u; /* The bus itself holds one reference to each
-                                                    device. */
+        /* Subtracts the reference that the bus itself holds to each device. */
+        left += bus.devices[i]->references - 1u;
         if (bus.devices[i]->attached) {
             hide_device(bus.devices[i]);
         }

@@ -1,14 +1,14 @@
 /* usb_sim.h -- a simulated USB bus, which replaces the part of libusb that the drivers call.
  *
  * A test plugs devices in and out while the drivers' thread runs. The bus behaves like libusb
- * 1.0.26 on Linux. The bus also checks the drivers: each forbidden call is counted as a breach and
+ * 1.0.26 on Linux. It also checks the drivers: each forbidden call is counted as a breach and
  * printed on standard error. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_USB_USB_SIM_H
 #define KINGYO_TESTS_UNIT_SUPPORT_USB_USB_SIM_H
 
 #include <stdint.h>
 
-/* Largest number of devices in one test. A stress test needs this many. */
+/* Largest number of devices in one test. The stress test needs so many. */
 #define USB_SIM_DEVICE_MAX 4096u
 #define USB_SIM_INTERFACE_MAX 4u
 #define USB_SIM_WIRE_MAX 4096u /* Largest number of reports of a device that wait for a transfer. */
@@ -36,7 +36,7 @@ struct usb_sim_kind {
     struct usb_sim_interface interface[USB_SIM_INTERFACE_MAX];
 };
 
-/* Order of the events after a device was unplugged. */
+/* Order of the events that follow when a device is unplugged. */
 enum usb_sim_unplug_order {
     /* Every pending transfer returns NO_DEVICE, and the hot-plug event follows. */
     USB_SIM_GONE = 0,
@@ -84,8 +84,9 @@ struct usb_sim_seen {
     uint32_t outs, set_reports; /* Number of output reports that arrived by interrupt transfers
                                    (`outs`) and by SET_REPORT requests (`set_reports`). */
     uint32_t out_size;
-    uint8_t out[64];           /* Bytes of the newest output report, without the setup packet of a
-                                  control transfer. */
+    /* Bytes of the newest output report. They do not include the setup packet of a control
+     * transfer. */
+    uint8_t out[64];
     uint16_t set_report_value; /* Field wValue of the newest SET_REPORT request: report type and
                                   report id. */
 };
@@ -114,10 +115,9 @@ struct usb_sim_faults {
 /* Replaces the faults of the bus by `faults`. */
 void usb_sim_set_faults(const struct usb_sim_faults *faults);
 
-/* Returns the number of breaches since usb_sim_begin(). A breach is a call that libusb forbids:
- * communication with a device from within a callback, or the close of a device with a pending
- * transfer. Other breaches are the use of a closed object and a call from a thread other than the
- * drivers' thread. */
+/* Returns the number of breaches since usb_sim_begin(). A breach is one of four kinds of forbidden
+ * calls: communication with a device from within a callback, closing a device with a pending
+ * transfer, use of a closed object, and a call from a thread other than the drivers' thread. */
 uint32_t usb_sim_breaches(void);
 
 /* Returns the number of libusb calls since usb_sim_begin(), without the calls that initialize

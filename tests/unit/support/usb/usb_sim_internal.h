@@ -73,8 +73,9 @@ struct usb_sim_bus {
     struct usb_sim_faults faults;
     uint32_t lists, transfers, breaches, calls;
     uint8_t is_running, has_thread;
-    pthread_t thread; /* The drivers' thread, which is the first thread that requested the device
-                         list. */
+    /* Thread of the drivers. The first thread that requests the device list counts as this
+     * thread. */
+    pthread_t thread;
     int in_transfer_callback, in_hotplug_callback;
 };
 
@@ -85,8 +86,8 @@ void bus_lock(void);
 /* Releases the lock of the bus. */
 void bus_unlock(void);
 
-/* Counts a breach and prints `what`. The caller of bus_breach() and of each function declared after
- * it holds the lock of the bus. */
+/* Counts a breach and prints `what`. The caller must hold the lock of the bus, as for each function
+ * below. */
 void bus_breach(const char *what);
 void bus_note_call(const char *name); /* Counts a call of libusb and checks its thread. */
 void bus_note_talk(const char *name); /* Counts a libusb call that communicates with a device and

@@ -1,6 +1,5 @@
-/* usb_sim_lib.c -- simulated libusb functions for initialization, events and device lists.
- *
- * Only the functions that the drivers call exist. */
+/* usb_sim_lib.c -- simulated libusb functions for initialization, events and device lists. Only
+ * those functions exist that the drivers call. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -111,8 +110,9 @@ void libusb_free_pollfds(const struct libusb_pollfd **list)
     free(list);
 }
 
-/* Removes the next event that is due and writes it to `out`. Returns 1, or 0 if nothing is due. The
- * caller holds the lock of the bus. Events are level-triggered, like those of usbfs. */
+/* Removes the next event that is due and writes it to `out`. Returns 1, or 0 if no event is due.
+ * The caller holds the lock of the bus. As with usbfs, the file descriptor stays readable as long
+ * as an event is due. */
 static int next_done(struct done *out)
 {
     const uint64_t now = bus_now_ns();
@@ -183,8 +183,9 @@ int libusb_handle_events_timeout_completed(libusb_context *context, struct timev
     bus_note_call("libusb_handle_events from a strange thread");
     quieten();
     bus_call_back();
-    const int has_more = bus.done_count > 0; /* 1 if events remain that are delayed or that arrived
-                                                during the callback, otherwise 0. */
+    /* 1 if there are more events, because they are delayed or arrived during the callback;
+     * otherwise 0. */
+    const int has_more = bus.done_count > 0;
     if (has_more) {
         bus_ring(bus.context.fd);
     }
@@ -275,7 +276,7 @@ int libusb_get_device_descriptor(libusb_device *device, struct libusb_device_des
     return LIBUSB_SUCCESS;
 }
 
-/* Configuration of a device with all its descriptors in one block of memory. */
+/* Configuration of a device. All its descriptors are in one block of memory. */
 struct configuration {
     struct libusb_config_descriptor head;
     struct libusb_interface interface[USB_SIM_INTERFACE_MAX];

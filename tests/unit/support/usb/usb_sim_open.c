@@ -96,8 +96,8 @@ int libusb_claim_interface(libusb_device_handle *handle, int interface)
     if (!error && device->kind->is_bound && !handle->auto_detaches) {
         error = LIBUSB_ERROR_BUSY;
     }
-    for (uint32_t i = 0; i < HANDLE_MAX; i++) { /* An interface can have only one owner, even within
-                                                   one process. */
+    /* An interface can have only one owner, even if both handles belong to the same process. */
+    for (uint32_t i = 0; i < HANDLE_MAX; i++) {
         if (bus.handles[i] && bus.handles[i] != handle && bus.handles[i]->device == device &&
             (bus.handles[i]->claimed & 1u << interface)) {
             error = LIBUSB_ERROR_BUSY;
@@ -204,8 +204,8 @@ struct libusb_transfer *libusb_alloc_transfer(int packets)
     return calloc(1, sizeof(struct libusb_transfer));
 }
 
-/* Frees a transfer; a submitted transfer is a breach. `num_iso_packets` is 1 while a transfer is
- * submitted, because interrupt transfers do not use this field. */
+/* Frees a transfer. Freeing a submitted transfer is a breach. `num_iso_packets` is 1 while a
+ * transfer is submitted, because interrupt transfers do not use this field for anything else. */
 void libusb_free_transfer(struct libusb_transfer *transfer)
 {
     if (!transfer) {

@@ -11,8 +11,8 @@
 #include "core/tank/behavior/avoid.h"
 #include "tests/unit/support/pond.h"
 
-/* Returns a fish that swims at 5 cm/s with a heading in degrees: 0 is away from the player, 90 is
- * to the left. */
+/* Returns a fish that swims at 5 cm/s. Its heading is in degrees: 0 is away from the player, and 90
+ * is to the left. */
 static struct avoid_party swimmer(float x_cm, float z_cm, float yaw_deg, uint16_t index)
 {
     return (struct avoid_party){ .position_m = v3(0.01f * x_cm, -0.06f, 0.01f * z_cm),
@@ -33,7 +33,8 @@ static void test_fish_on_opposite_courses_turn_to_the_same_side(void **state)
         const struct avoid_pair pair = avoid_meet(&a, &b, 0.01f, pond_params(), 1, second);
         assert_int_equal(pair.a.kind, MEET_HEAD_ON);
         assert_int_equal(pair.b.kind, MEET_HEAD_ON);
-        /* Both fish turn left, or both turn right, each from its own view, so that they part. */
+        /* Both fish must turn left or both must turn right, each from its own view, so that they
+         * separate. */
         assert_true(pair.a.turn == pair.b.turn);
         left += pair.a.turn > 0.0f;
     }
@@ -52,7 +53,7 @@ static void test_both_fish_of_a_pair_get_the_same_random_draw(void **state)
     }
 }
 
-/* Returns `party` in the state that the fish has after it followed `advice`. */
+/* Returns `party` in the state in which the fish is after it has followed `advice`. */
 static struct avoid_party giving_way(struct avoid_party party, const struct avoid_advice *advice)
 {
     struct fish fish = { WAKIN(party.length_m), .position_m = party.position_m };
@@ -70,8 +71,8 @@ static void test_the_second_fish_of_a_pair_turns_to_the_side_of_the_first(void *
     const struct avoid_party a = swimmer(0.0f, 3.0f, 0.0f, 7), b = swimmer(0.0f, -3.0f, 180.0f, 12);
     uint32_t left = 0;
     for (uint32_t edge = CORE_TICK_HZ; edge < 1000u * CORE_TICK_HZ; edge += CORE_TICK_HZ) {
-        /* One fish starts to avoid in the last tick of a second, and the other in the next second
-         * or later. The second fish must turn to the side that the first one has drawn. */
+        /* One fish starts to avoid in the last tick of a second. The other fish starts in the next
+         * second or later, and must turn to the side that the first one has drawn. */
         const struct avoid_pair first = avoid_meet(&a, &b, 0.01f, pond_params(), 1, edge - 1u);
         const struct avoid_party early = giving_way(a, &first.a);
         const struct avoid_pair then = avoid_meet(&early, &b, 0.01f, pond_params(), 1, edge);
@@ -106,12 +107,14 @@ static void test_the_fish_that_hits_from_the_side_passes_behind_in_90_percent(vo
     for (uint32_t second = 0; second < 2000; second++) {
         const struct avoid_pair pair = avoid_meet(&a, &b, 0.005f, pond_params(), 1, second);
         assert_int_equal(pair.a.kind, MEET_SIDE);
-        behind += pair.a.turn < 0.0f; /* Fish a turns right, so that it passes behind fish b. */
-        clear += pair.b.turn < 0.0f;  /* Fish b is hit on its left side, so it turns right. */
+        /* Fish a turns right, so that it passes behind fish b. */
+        behind += pair.a.turn < 0.0f;
+        /* Fish b is hit on its left side, so it turns right. */
+        clear += pair.b.turn < 0.0f;
     }
     assert_in_range(behind, 1720, 1880);
-    /* Both fish use the same random number. Fish a passes behind if and only if fish b turns
-     * right. */
+    /* Both fish must use the same random number, so fish a passes behind if and only if fish b
+     * turns right. */
     assert_int_equal(behind, clear);
 }
 
@@ -137,7 +140,7 @@ static void test_fish_that_separate_or_pass_clear_do_not_meet(void **state)
     const struct avoid_party c = swimmer(0.0f, 3.0f, 0.0f, 1), d = swimmer(4.0f, -3.0f, 180.0f, 2);
     assert_int_equal(avoid_meet(&c, &d, 0.02f, pond_params(), 1, 0).a.kind, MEET_NONE);
     const struct avoid_party e = swimmer(0.0f, 0.0f, 0.0f, 1), f = swimmer(1.5f, 0.1f, 2.0f, 2);
-    /* Fish f is beside fish e and not ahead, so neither has to react. */
+    /* Fish f is beside fish e and not ahead of it, so neither of the two has to react. */
     assert_int_equal(avoid_meet(&e, &f, 0.005f, pond_params(), 1, 0).a.kind, MEET_NONE);
 }
 
@@ -162,7 +165,7 @@ static void test_pitch_follows_half_a_second_of_yaw(void **state)
         yaw += fish.avoiding == AVOID_YAW;
     }
     assert_in_range(yaw, CORE_TICK_HZ / 2u - 2u, CORE_TICK_HZ / 2u + 2u);
-    assert_true(fish.heading_rad > 0.2f); /* The fish turns left, as advised. */
+    assert_true(fish.heading_rad > 0.2f); /* The fish turns left, as avoid_meet() has advised. */
     assert_true(fish.avoid_turn < 0.0f);
     assert_float_equal(fish.brake, 0.5f, 1e-6f);
 }
@@ -202,8 +205,8 @@ static void test_depth_is_held_for_half_a_second_after_a_climb_and_not_after_a_t
     const struct avoid_advice advice = { MEET_SIDE, -1, 2, 7, 0.1f, 1.0f }, none = { 0 };
     fish.depth_goal_m = -0.03f;
     avoid_tick(&fish, &advice, 1.0f, pond_at(1, 0));
-    /* The path becomes clear after the first tick. The fish then stops avoiding and no longer holds
-     * its depth. */
+    /* The path becomes clear after the first tick. The fish must then stop the avoidance and no
+     * longer hold its depth. */
     while (fish.avoiding != AVOID_NONE) {
         avoid_tick(&fish, &none, 1.0f, pond_at(1, 0));
         assert_false(avoid_holds_depth(&fish));

@@ -1,5 +1,5 @@
-/* test_burst_coast.c -- checks burst-and-coast swimming: a kick of the tail accelerates and turns
- * the fish, and drag slows the following glide. */
+/* test_burst_coast.c -- checks burst-and-coast swimming, in which a kick of the tail accelerates
+ * and turns the fish, and drag slows the glide that follows. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,8 +23,8 @@ static void swim(struct fish *fish, uint32_t tick)
     swim_settle(fish, v3_sub(fish->position_m, before_m), fish_forward(fish));
 }
 
-/* Returns the first tick of a glide. A cycle of beats and a glide has 84 ticks for a fish whose
- * `look` (the random bits of its individual traits) is 0. */
+/* Returns the first tick of a glide. The fish must have the `look` 0, which holds the random bits
+ * of its individual traits. Its cycle of tail beats and a glide then has 84 ticks. */
 static uint32_t glide_tick(const struct fish *fish)
 {
     uint32_t tick = 0;
@@ -45,12 +45,13 @@ static void test_a_glide_decelerates_by_drag(void **state)
         for (uint32_t tick = from; tick < 84u; tick++) {
             swim(&fish, tick);
             const float s = (float)(tick + 1u - from) * CORE_TICK_S;
-            /* Expected speed with quadratic drag: the solution of dv/dt = -v^2 / way_m. */
+            /* Speed that is expected with quadratic drag, which is the solution of dv/dt = -v^2 /
+             * way_m. */
             const float wanted_m_s = start_m_s / (1.0f + start_m_s * s / way_m);
             assert_float_equal(fish.speed_m_s, wanted_m_s, 0.01f * start_m_s);
         }
-        /* The glide distance follows from mass and drag: 2 m (1 + added mass) / (rho S C). The mass
-         * m is fish_mass_kg(), which the oxygen consumption uses too. */
+        /* The glide distance must also follow from mass and drag: 2 m (1 + added mass) / (rho S C).
+         * The mass m is that of fish_mass_kg(), which is also used for the oxygen consumption. */
         const float by_mass_m =
             2.0f * 1.1f * fish_mass_kg(length_m) / (1000.0f * 0.65f * length_m * length_m * 0.060f);
         assert_float_equal(way_m, by_mass_m, 0.04f * way_m);
@@ -85,8 +86,9 @@ static void test_a_behavior_update_in_every_tick_adds_no_turns(void **state)
     for (uint32_t tick = 0; tick < 840u; tick++) {
         struct perception around = *pond_at(1, tick);
         gait_cycle_turn(&often, 7, &around);
-        /* `seldom` is updated in every fourth tick, and never in the tick in which a kick (a tail
-         * beat that turns the fish) begins. Nevertheless, `seldom` must not miss a kick. */
+        /* Updates the fish `seldom` only in every fourth tick, which is never the tick in which a
+         * kick (a tail beat that turns the fish) begins. The fish must not miss a kick in spite of
+         * this. */
         if (tick % FISH_BEHAVIOR_TICKS == 2u) {
             around.dt_s = (float)FISH_BEHAVIOR_TICKS * CORE_TICK_S;
             gait_cycle_turn(&seldom, 7, &around);
@@ -95,14 +97,14 @@ static void test_a_behavior_update_in_every_tick_adds_no_turns(void **state)
     assert_float_equal(often.heading_rad, seldom.heading_rad, 1e-6f);
 }
 
-/* Measures one turn by `angle_rad`: the duration of the middle 80 % of the turn, and the smallest
- * radius of the path in body lengths. */
+/* Measures one turn by `angle_rad`. Writes the duration of the middle 80 % of the turn, and the
+ * smallest radius of the path in body lengths. */
 static void turn(float angle_rad, float *lasts_s, float *radius_lengths)
 {
     struct fish fish = pond_fish(0.05f, GAIT_SWIM);
     float first_s = 0.0f;
     fish.heading_rad = angle_rad;
-    /* Speed at the end of a glide: 0.9 body lengths per second. */
+    /* A fish has 0.9 body lengths per second at the end of a glide. */
     fish.speed_m_s = 0.9f * fish.length_m;
     *lasts_s = 0.0f;
     *radius_lengths = 100.0f;
@@ -116,9 +118,9 @@ static void turn(float angle_rad, float *lasts_s, float *radius_lengths)
     }
 }
 
-/* Wu et al. 2007 measured that the duration of a turn hardly depends on its angle, because larger
- * turns are faster. In a turn of 25 degrees or more, the smallest radius of the path must be 0.1 to
- * 0.2 body lengths. */
+/* By measurements of Wu et al. 2007, the duration of a turn hardly depends on its angle, because
+ * larger turns are faster. In a turn of 25 degrees or more, the smallest radius of the path must be
+ * 0.1 to 0.2 body lengths. */
 static void test_the_duration_of_a_turn_is_independent_of_its_angle(void **state)
 {
     (void)state;

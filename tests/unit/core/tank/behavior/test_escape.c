@@ -1,5 +1,6 @@
-/* test_escape.c -- measures the C-start (the escape response of a startled fish) over many fish:
- * turn, share away from the stimulus, acceleration, distance and speed. */
+/* test_escape.c -- measures the C-start, which is the escape response of a startled fish, over many
+ * fish. The measurements are the turn, the share of fish that turn away from the stimulus, the
+ * acceleration, the distance and the speed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,16 +18,17 @@
 #define TRIALS 4000u
 #define LENGTH_M 0.05f
 
-/* Measurements of one C-start, the escape reaction of a fish: the body bends into a C and then
+/* Measurements of one C-start. In this escape response, the body bends into a C and then
  * straightens. */
 struct trial {
     /* Largest turn of the head in stage 1 (the bend into a C), positive to the left. */
     float head_turn_rad;
-    /* Side away from the stimulus: +1 is left and -1 is right. */
+    /* Side of the fish that is away from the stimulus: +1 is left and -1 is right. */
     float away_side;
-    float way_lengths;               /* Distance that the fish moves in 100 ms. */
-    float away_lengths;              /* Component of `way_lengths` away from the stimulus. */
-    float peak_lengths_s, push_m_s2; /* Highest speed, and highest acceleration over 17 ms. */
+    float way_lengths;  /* Distance that the fish moves in 100 ms. */
+    float away_lengths; /* Component of `way_lengths` away from the stimulus. */
+    /* Highest speed of the fish, and highest acceleration over 17 ms. */
+    float peak_lengths_s, push_m_s2;
     /* Time of the highest speed, and time of the last tick in which the fish was faster than 4 body
      * lengths per second. */
     float peak_s, slow_s;
@@ -42,7 +44,7 @@ static struct fish still_fish(uint32_t seed)
     return fish;
 }
 
-/* Runs one tick of a fish as the tank does, but without other fish. */
+/* Runs one tick of a fish in the same way as the tank, but without other fish. */
 static void tick_alone(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const vec3 before_m = fish->position_m;
@@ -55,7 +57,7 @@ static void tick_alone(struct fish *fish, uint32_t index, const struct perceptio
     swim_settle(fish, v3_sub(fish->position_m, before_m), fish_forward(fish));
 }
 
-/* Returns the direction of the head. The bent front part of the body turns the head. */
+/* Returns the direction of the head, which also turns when the front part of the body bends. */
 static float head_rad(const struct fish *fish)
 {
     return fish->angles.yaw_rad - 0.38f * fish->bend_rad;
@@ -89,7 +91,8 @@ static struct trial start(struct fish fish, vec3 from_m, uint32_t index, uint32_
             trial.peak_s = s;
         }
         trial.slow_s = speed_m_s[tick % 4u] > 4.0f * LENGTH_M ? s : trial.slow_s;
-        if (tick == 12u) { /* 12 ticks are 100 ms. */
+        /* The distance is measured after 12 ticks (100 ms). */
+        if (tick == 12u) {
             const vec3 way = v3_sub(fish.position_m, at_m);
             trial.way_lengths = v3_length(way) / LENGTH_M;
             trial.away_lengths = v3_dot(way, away) / LENGTH_M;
@@ -117,7 +120,7 @@ static void test_three_of_four_starts_turn_and_move_away_from_the_stimulus(void 
     }
     print_message("turned away %.3f, led away %.3f\n", (double)turned / TRIALS,
                   (double)led / TRIALS);
-    /* Mirjany et al. 2011 measured that 77 % of the fish turn away from the stimulus. */
+    /* By measurements of Mirjany et al. 2011, 77 % of the fish turn away from the stimulus. */
     assert_float_equal((float)turned / TRIALS, 0.77f, 0.02f);
     assert_true((float)led / TRIALS > 0.70f && (float)led / TRIALS < 0.90f);
 }
@@ -138,7 +141,7 @@ static void test_stage_1_turns_the_head_60_to_120_degrees_within_17_ms(void **st
                   (double)mean, (double)least, (double)most, (double)(1e3f * latest_s));
     assert_true(least > 59.5f && most < 120.5f);
     assert_float_equal(mean, 90.0f, 1.5f);
-    /* Two ticks are 17 ms. Eaton et al. 1977 measured about 20 ms for stage 1. */
+    /* Two ticks are 17 ms. By measurements of Eaton et al. 1977, stage 1 lasts about 20 ms. */
     assert_float_equal(latest_s, 2.0f * CORE_TICK_S, 1e-4f);
 }
 
@@ -164,7 +167,7 @@ static void test_a_start_moves_the_fish_0_5_to_1_5_lengths_in_100_ms(void **stat
     }
     print_message("after 100 ms %.2f lengths (%.2f .. %.2f)\n", (double)mean, (double)least,
                   (double)most);
-    /* Eaton et al. 1977 measured a distance of 0.5 to 1.5 body lengths in 100 ms. */
+    /* By measurements of Eaton et al. 1977, a fish moves by 0.5 to 1.5 body lengths in 100 ms. */
     assert_true(least >= 0.45f && most <= 1.5f);
     assert_float_equal(mean, 0.70f, 0.05f);
 }
@@ -186,7 +189,7 @@ static void test_a_start_reaches_8_to_10_lengths_a_second_at_15_to_40_m_s2(void 
                   (double)latest_s);
     assert_true(least > 7.8f && most < 10.1f);
     assert_true(weakest > 15.0f && strongest < 40.0f);
-    /* After one second, no fish is faster than 4 body lengths per second. */
+    /* After one second, no fish may be faster than 4 body lengths per second. */
     assert_true(latest_s < 1.0f);
 }
 
@@ -208,7 +211,7 @@ static void test_a_wall_behind_a_fish_gives_more_starts_toward_the_danger(void *
     float into = 0.0f;
     for (uint32_t i = 0; i < TRIALS; i++) {
         struct fish fish = still_fish(i);
-        /* The fish is 3 cm from the right wall (x = 0.425 m), and the stimulus comes from the
+        /* Places the fish 3 cm from the right wall (x = 0.425 m). The stimulus comes from the
          * left. */
         fish.position_m.x = 0.425f - 0.03f;
         fish.angles.yaw_rad = fish.heading_rad = i % 2u ? 0.0f : F_PI;
@@ -219,7 +222,7 @@ static void test_a_wall_behind_a_fish_gives_more_starts_toward_the_danger(void *
     }
     print_message("turned away at a wall: %.3f, into it by %.2f lengths\n", (double)away / TRIALS,
                   (double)into);
-    /* The wall is 0.6 lengths (3 cm) away. No fish may reach it within 100 ms. */
+    /* The wall is 0.6 body lengths (3 cm) away, and no fish may reach it within 100 ms. */
     assert_true(into < 0.6f);
     assert_true((float)away / TRIALS < 0.62f && (float)away / TRIALS > 0.45f);
 }
@@ -272,7 +275,7 @@ static void test_a_fish_scooped_during_its_start_straightens(void **state)
     tick_alone(&fish, 0, pond_at(1, 0));
     tick_alone(&fish, 0, pond_at(1, 1));
     assert_true(f_abs(fish.bend_rad) > 1.0f);
-    /* A fish that falls off the paper in the middle of its bend gets GAIT_BURST. */
+    /* Sets the gait that a fish has when it falls off the paper in the middle of its bend. */
     fish.gait = GAIT_BURST;
     fish.gait_left_s = 1.0f;
     fish.heading_rad = fish.angles.yaw_rad;

@@ -1,5 +1,5 @@
-/* test_fish_behavior.c -- checks in which ticks a fish updates its behavior, and that each update
- * covers the time since the previous one. */
+/* test_fish_behavior.c -- checks in which ticks a fish updates its behavior. Each update must cover
+ * the time since the update before. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -26,7 +26,7 @@ static struct fish calm(void)
     return fish;
 }
 
-/* Returns a poi that moves at 40 cm/s and is `beside_m` away from the fish. */
+/* Returns a poi that moves at 40 cm/s. Its distance from the fish is `beside_m`. */
 static struct obstacle rushing(float beside_m)
 {
     return (struct obstacle){ .kind = OBSTACLE_DISC,
@@ -36,8 +36,8 @@ static struct obstacle rushing(float beside_m)
                               .radius_m = 0.0465f };
 }
 
-/* Returns the number of updates of a fish in `ticks` ticks. Stores the time that the updates cover
- * together. */
+/* Returns the number of updates of a fish in `ticks` ticks. Writes the total time that the updates
+ * cover to `covered_s`. */
 static uint32_t thoughts(struct fish *fish, uint32_t index, uint32_t ticks,
                          const struct obstacle *poi, float *covered_s)
 {
@@ -77,7 +77,7 @@ static void test_behavior_updates_cover_the_whole_time(void **state)
         struct fish fish = calm();
         float covered_s = 0.0f;
         assert_int_equal(thoughts(&fish, index, 1200, NULL, &covered_s), 300);
-        /* The next update may be up to four ticks after the 10 s. */
+        /* The tolerance allows for an update that is up to four ticks after the 10 s. */
         assert_float_equal(covered_s, 10.0f, 4.5f * CORE_TICK_S);
     }
 }
@@ -104,8 +104,8 @@ static void test_a_fleeing_falling_or_gulping_fish_updates_in_every_tick(void **
     fish.falls = 1;
     assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
     fish = calm();
-    /* The fish is 1 cm wide and its centre only 4 mm below the surface, so it touches the surface
-     * and must update in every tick. */
+    /* The fish is 1 cm wide, and its centre is only 4 mm below the surface. It therefore touches
+     * the surface, and must be updated in every tick. */
     fish.position_m.y = -0.004f;
     assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
 }
@@ -124,7 +124,8 @@ static void test_a_released_fish_does_not_repeat_skipped_updates(void **state)
     }
 }
 
-/* Stamina, random turns and depth must not depend on the update rate. */
+/* The stamina, the random turns and the depth of a fish must not depend on the rate of the
+ * updates. */
 static void test_behavior_is_the_same_at_30_and_120_updates_a_second(void **state)
 {
     (void)state;
@@ -133,7 +134,7 @@ static void test_behavior_is_the_same_at_30_and_120_updates_a_second(void **stat
     often.depth_goal_m = seldom.depth_goal_m = -0.04f;
     for (uint32_t tick = 0; tick < 5u * CORE_TICK_HZ; tick++) {
         struct perception around = *pond_at(3, tick);
-        /* The tank is so large (20 m) that no wall influences the fish. */
+        /* Makes the tank so large (20 m) that no wall influences the fish. */
         around.size_m = v3(20.0f, 0.12f, 20.0f);
         fish_behavior_tick(&often, 0, &around);
         if (tick % FISH_BEHAVIOR_TICKS == 0) {
@@ -149,9 +150,9 @@ static void test_behavior_is_the_same_at_30_and_120_updates_a_second(void **stat
     assert_true(v3_length(v3_sub(seldom.position_m, often.position_m)) < 0.01f);
 }
 
-/* The motion between two updates must be smooth: the yaw rate changes only a little in each
- * tick. The thesis' preset is used, because fish of the other presets turn abruptly by kicks of
- * the tail. */
+/* Between two updates the fish must move smoothly, so the yaw rate may change only a little in each
+ * tick. The test uses the thesis' preset, because fish of the other presets turn abruptly with each
+ * kick of the tail. */
 static void test_the_path_between_updates_is_a_smooth_arc(void **state)
 {
     (void)state;
@@ -168,7 +169,7 @@ static void test_the_path_between_updates_is_a_smooth_arc(void **state)
             fish_behavior_tick(&fish, 0, &around);
         }
         swim_move(&fish, around.params);
-        /* Simulates the tank's walls, because swim_move() alone does not stop the fish. */
+        /* Keeps the fish between the walls, because swim_move() alone does not stop it. */
         fish.position_m.x = f_clamp(fish.position_m.x, -0.175f, 0.175f);
         fish.position_m.z = f_clamp(fish.position_m.z, -0.125f, 0.125f);
         roughest = f_max(roughest, f_abs(fish.yaw_rate_rad_s - rate));

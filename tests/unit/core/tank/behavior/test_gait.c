@@ -42,7 +42,7 @@ static void test_an_exhausted_fish_can_only_rest(void **state)
     assert_float_equal(gait_chance(0.0f).swim, 0.0f, 0.0f);
     for (uint32_t i = 0; i < 200; i++) {
         struct fish fish = rested();
-        /* The stamina is already 0. The end of the burst must not make it negative. */
+        /* The stamina is already 0, and the end of the burst must not make it negative. */
         fish.gait = GAIT_BURST;
         fish.stamina = 0.0f;
         fish.gait_left_s = 0.0f;
@@ -84,15 +84,15 @@ static void test_gaits_have_the_durations_of_the_thesis(void **state)
     }
 }
 
-/* Measures 60 fish for one hour each. */
+/* Measures the gaits of 60 fish for one hour each. */
 static void test_a_fish_rests_two_thirds_of_its_time_in_the_long_run(void **state)
 {
     (void)state;
     uint32_t ticks[GAIT_COUNT] = { 0 };
     for (uint32_t i = 0; i < 60; i++) {
         struct fish fish = rested();
-        /* Starts with the mean stamina of section 3.2, so that the fish is in equilibrium from the
-         * beginning. */
+        /* Sets the mean stamina of section 3.2 of the thesis, so that the fish is in equilibrium
+         * from the beginning. */
         fish.stamina = 0.48f;
         for (uint32_t tick = 0; tick < 3600u * CORE_TICK_HZ; tick++) {
             gait_tick(&fish, i, pond_at(9, tick));

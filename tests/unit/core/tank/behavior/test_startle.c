@@ -1,5 +1,5 @@
-/* test_startle.c -- checks what startles a fish: approaching objects, pressure and shadows. Also
- * checks habituation and the latency of the response. */
+/* test_startle.c -- checks what startles a fish: approaching objects, pressure and shadows. Checks
+ * also how a fish gets used to stimuli (habituation), and how long it takes to respond. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,8 +15,7 @@
 
 #define NEVER 1000u
 
-/* Returns a fish whose `look` (the random bits of its individual traits) is 0, which makes it
- * timid. */
+/* Returns a timid fish. Its `look`, which holds the random bits of its individual traits, is 0. */
 static struct fish fish_at(vec3 position_m)
 {
     return (struct fish){ WAKIN(0.05f), .stamina = 1.0f,   .brake = 1.0f,
@@ -32,7 +31,7 @@ static struct obstacle disc_at(vec3 centre_m, vec3 velocity_m_s)
                               .radius_m = 0.0465f };
 }
 
-/* Returns a disc on edge that faces +x and moves in that direction. */
+/* Returns a disc that stands on edge, faces +x and moves toward +x. */
 static struct obstacle broadside_disc(float speed_m_s)
 {
     struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(speed_m_s, 0.0f, 0.0f));
@@ -48,8 +47,8 @@ static struct perception beside(const struct obstacle *disc, uint32_t seed, uint
     return around;
 }
 
-/* Returns after how many ticks a fish beside a disc begins to escape (C-start). Both stay at their
- * positions. */
+/* Returns the number of ticks after which a fish beside a disc begins to escape (C-start). Neither
+ * the fish nor the disc changes its position. */
 static uint32_t ticks_to_start(struct obstacle disc, struct fish fish, uint32_t seed)
 {
     for (uint32_t tick = 0; tick < NEVER; tick++) {
@@ -75,8 +74,8 @@ static void test_the_visual_angle_follows_geometry_and_grows_with_approach(void 
     const struct startle_view view = startle_view(&disc, v3(0.10f, -0.05f, 0.0f));
     assert_float_equal(view.size_rad, 2.0f * f_atan2(0.0465f, 0.10f), 1e-5f);
     struct obstacle later = disc;
-    /* At 0.3 m/s the disc moves 0.3 mm in one millisecond. The image's growth in that time
-     * gives its rate. */
+    /* Moves the disc by 0.3 mm, which it covers in one millisecond at 0.3 m/s. The growth of its
+     * image in this time gives the rate of growth. */
     later.centre_m.x += 0.0003f;
     const struct startle_view grown = startle_view(&later, v3(0.10f, -0.05f, 0.0f));
     assert_float_equal(1000.0f * (grown.size_rad - view.size_rad), view.growth_rad_s, 0.02f);
@@ -96,21 +95,24 @@ static void test_a_small_image_never_looms(void **state)
 {
     (void)state;
     struct obstacle disc = broadside_disc(4.0f);
-    /* A disc in the air causes no pressure, so only its image can startle the fish. */
+    /* Places the disc in the air, where it causes no pressure. Only its image can then startle the
+     * fish. */
     disc.centre_m.y = 0.05f;
-    /* The disc has a visual angle of 33 degrees, above the timid fish's threshold of 20 degrees. */
+    /* This fish sees the disc at an angle of 33 degrees, which is above the threshold of a timid
+     * fish (20 degrees). */
     const struct fish near = fish_at(v3(0.14f, -0.01f, 0.0f));
-    /* The disc has a visual angle of 17 degrees, below the fish's threshold of 20 degrees. */
+    /* This fish sees the disc at an angle of 17 degrees, which is below the threshold of 20
+     * degrees. */
     const struct fish far = fish_at(v3(0.30f, -0.01f, 0.0f));
     assert_int_equal(startle_of_disc(&disc, &near).cause, STARTLE_LOOM);
     assert_int_equal(startle_of_disc(&disc, &far).cause, STARTLE_NONE);
 }
 
-/* A slow disc gives no stimulus even at a small distance. */
+/* A disc gives no stimulus in the air, nor at a low speed. */
 static void test_a_pressure_stimulus_grows_with_speed_squared_and_is_zero_in_air(void **state)
 {
     (void)state;
-    /* The disc moves away from this position, so its image does not loom. */
+    /* The disc moves away from this position, so its image does not grow. */
     const vec3 behind = { -0.04f, -0.05f, 0.0f };
     struct obstacle fast = broadside_disc(0.4f);
     assert_int_equal(ticks_to_start(broadside_disc(0.08f), fish_at(behind), 1), NEVER);
@@ -150,8 +152,8 @@ static void test_a_disc_that_glides_edge_on_alarms_little(void **state)
     assert_int_equal(ticks_to_start(slow, fish_at(ahead_of_edge), 1), NEVER);
 }
 
-/* Measures only the latency: the time from the tick in which a stimulus exceeds the threshold until
- * the fish starts. */
+/* Measures only the latency: the time from the tick in which a stimulus exceeds the threshold to
+ * the start of the escape. */
 static void latency(enum startle_cause cause, uint8_t gait, float *mean_s, float *least_s,
                     float *most_s)
 {
@@ -180,7 +182,7 @@ static void latency(enum startle_cause cause, uint8_t gait, float *mean_s, float
 static void test_latency_is_8_to_15_ms_for_pressure_and_60_to_150_ms_for_sight(void **state)
 {
     (void)state;
-    /* A start happens in a whole tick, so a latency may be off by half a tick. */
+    /* An escape starts at a whole tick, so a measured latency may differ by half a tick. */
     const float half_tick_s = 0.5f * CORE_TICK_S + 1e-5f;
     float mean_s, least_s, most_s;
     latency(STARTLE_PRESSURE, GAIT_SWIM, &mean_s, &least_s, &most_s);
@@ -190,8 +192,8 @@ static void test_latency_is_8_to_15_ms_for_pressure_and_60_to_150_ms_for_sight(v
     assert_float_equal(mean_s, 0.105f, 0.002f);
     assert_true(least_s > 0.060f - half_tick_s && least_s < 0.068f);
     assert_true(most_s < 0.150f + half_tick_s && most_s > 0.142f);
-    /* For a shadow, this latency begins when the alarm has reached its threshold, so it is shorter
-     * than the total of up to 150 ms. */
+    /* With a shadow, this latency begins when the alarm of the fish has reached its threshold. It
+     * is therefore shorter than the total time of up to 150 ms. */
     latency(STARTLE_SHADOW, GAIT_SWIM, &mean_s, &least_s, &most_s);
     assert_true(least_s >= 0.060f && most_s < 0.115f + half_tick_s);
 }
@@ -257,7 +259,8 @@ static void test_habituation_grows_with_startles_and_fades(void **state)
     for (uint32_t tick = 0; tick < 600u * CORE_TICK_HZ; tick++) {
         startle_tick(&fish, 0, pond_at(1, tick));
     }
-    assert_float_equal(fish.habit, 0.0f, 0.0f); /* The habituation has decayed to exactly 0. */
+    /* The habituation must have decayed to exactly 0. */
+    assert_float_equal(fish.habit, 0.0f, 0.0f);
 }
 
 static void test_a_fish_that_just_fled_is_not_startled_again_immediately(void **state)

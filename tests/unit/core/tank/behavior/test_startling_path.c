@@ -1,8 +1,8 @@
 /* test_startling_path.c -- counts how many of 300 fish are startled by a poi that moves 30 cm
  * through the tank.
  *
- * Experienced players move the poi edge first and enter the water at a slant, because fish respond
- * mainly to fast water in front of a broadside ring. */
+ * Fish respond mainly to the fast water in front of a broadside ring. Experienced players therefore
+ * move the poi edge first and enter the water at a slant. */
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/tank/behavior/startle.h"
@@ -11,10 +11,11 @@
 #define WAY_M 0.30f
 #define CALM_S 1.0f
 
-static struct poi_fixture fixture; /* Static, because the struct is too large for some stacks. */
+/* The fixture is static, because the struct is too large for some stacks. */
+static struct poi_fixture fixture;
 
-/* Motion of a ring: the tilt of the ring relative to its course, its speed, and the downward angle
- * of the course. */
+/* Motion of a ring: the tilt relative to its course, its speed, and the angle by which the course
+ * leads downward. */
 struct manner {
     float tilt_rad, speed_m_s, down_rad;
 };
@@ -34,7 +35,8 @@ static int is_startled(const struct fish *fish)
            fish->startle == STARTLE_LOOM;
 }
 
-/* Marks the fish that are startled now. Returns the number of fish that were not marked before. */
+/* Marks the fish that are startled in this tick. Returns how many of them were not marked
+ * before. */
 static uint32_t count_startled(uint8_t marks[TANK_FISH_MAX])
 {
     uint32_t count = 0;
@@ -47,8 +49,8 @@ static uint32_t count_startled(uint8_t marks[TANK_FISH_MAX])
     return count;
 }
 
-/* Dips the poi edge first, turns it to `roll_rad` under water, and waits until the fish are calm
- * again. */
+/* Dips the poi edge first, turns it to the roll angle `roll_rad` under water, and waits until the
+ * fish are calm again. */
 static void dip_gently(float to_m, float roll_rad)
 {
     const uint32_t ticks = (uint32_t)(CALM_S * (float)CORE_TICK_HZ);

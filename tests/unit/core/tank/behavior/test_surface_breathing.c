@@ -112,8 +112,8 @@ static uint32_t surfacing_count(const struct tank *water)
     return count;
 }
 
-/* In the thesis (section 3.6), a fish rises if its stamina is below 25 of 100 (here 0.25). Other
- * presets have no such rule. */
+/* In the thesis (section 3.6), a fish rises if its stamina is below 25 of 100, which is 0.25 in the
+ * code. Other presets have no such rule. */
 static void test_low_stamina_starts_gulping_only_in_the_thesis_tank(void **state)
 {
     (void)state;
@@ -151,7 +151,7 @@ static void test_200_fish_of_stamina_20_rise_within_seconds_and_dive_again(void 
     assert_true(at_10 < at_3 / 4u);
 }
 
-/* The thesis states: "Three seconds of gulping bring stamina to 100, and it dives." */
+/* The thesis states that "three seconds of gulping bring stamina to 100, and it dives".  */
 static void test_three_seconds_of_gulping_restore_stamina_and_the_fish_dives(void **state)
 {
     (void)state;
@@ -175,8 +175,9 @@ static void test_three_seconds_of_gulping_restore_stamina_and_the_fish_dives(voi
     assert_true(dived >= 190);
     for (uint32_t i = 0; i < tank.fish_count; i++) {
         if (tank.fish[i].air == AIR_ENOUGH) {
-            /* A fish with a stamina of at least 0.75 stays 18 cm deep, others at most 13 cm. A goal
-             * below 15 cm thus proves that gulping restored the stamina. */
+            /* A fish with a stamina of at least 0.75 stays at a depth of 18 cm, and other fish stay
+             * at most 13 cm deep. A goal below 15 cm therefore proves that gulping has restored the
+             * stamina. */
             assert_true(tank.fish[i].depth_goal_m < -0.15f);
         }
     }
@@ -189,7 +190,8 @@ struct watch {
     float climb_max_m_s, over_max_m;
 };
 
-/* Measures all fish that are at the surface during `seconds`. */
+/* Runs the tank for `seconds` seconds, and measures all fish that are at the surface in this
+ * time. */
 static struct watch watch(float seconds)
 {
     struct watch seen = { 0 };
@@ -348,8 +350,8 @@ static void test_gulps_make_ripples(void **state)
 
 /* ---- Oxygen and startle --------------------------------------------------------------------- */
 
-/* Returns the oxygen consumption of a fish in mg/h, as oxygen_tick() computes it once a second. The
- * second fish of the array is on a poi and consumes nothing. */
+/* Returns the oxygen consumption of a fish in mg/h, which oxygen_tick() computes once a second. The
+ * array has a second fish, which is on a poi and consumes nothing. */
 static float asked_mg_h(const struct fish *fish)
 {
     struct oxygen oxygen = { .temperature_c = 25.0f, .pressure_hpa = OXYGEN_PRESSURE_HPA };
@@ -411,8 +413,8 @@ static void test_a_startled_gulping_fish_submerges_before_it_escapes(void **stat
         assert_true(top_m(fish) <= 0.0f);
     }
     assert_int_equal(gulpers, 10);
-    /* Most of the ten fish must be under water within 10 ticks (83 ms), because the latency of an
-     * escape from a visual stimulus is 60 to 150 ms. */
+    /* Most of the ten fish must be under water within 10 ticks (83 ms). The reason is that the
+     * latency of an escape from a visual stimulus is 60 to 150 ms. */
     assert_true(soon >= 8);
 }
 
@@ -420,8 +422,8 @@ static void test_a_gulping_fish_behaves_normally_after_scoop_and_return(void **s
 {
     (void)state;
     struct fish fish = gulper();
-    /* The fish has been in a bowl: its gait is GAIT_SWIM, but `air` still has the state of a
-     * gulping fish. */
+    /* Simulates a fish that was in a bowl. Its gait is GAIT_SWIM again, but `air` still has the
+     * state of a gulping fish. */
     fish.gait = GAIT_SWIM;
     fish.position_m.y = -0.05f;
     assert_false(surface_breathes(&fish));

@@ -27,7 +27,7 @@ static void swim_one_tick(struct fish *fish)
     swim_settle(fish, v3_sub(fish->position_m, before), fish_forward(fish));
 }
 
-/* Lets the fish swim at a given speed, with a continuous tail beat. */
+/* Lets the fish swim at the speed `speed_m_s` for `ticks` ticks, with a continuous tail beat. */
 static void swim_ticks(struct fish *fish, uint32_t ticks, float speed_m_s)
 {
     for (uint32_t tick = 0; tick < ticks; tick++) {
@@ -43,7 +43,7 @@ static void test_a_fish_swims_along_its_nose(void **state)
     (void)state;
     struct fish fish = swimmer();
     swim_ticks(&fish, 5 * CORE_TICK_HZ, 0.05f);
-    /* In 5 s at 5 cm/s the fish swims 25 cm. Yaw 0 faces -z. */
+    /* In 5 s at 5 cm/s the fish swims 25 cm. At yaw 0 it swims toward -z. */
     assert_float_equal(fish.position_m.z, -0.25f, 0.01f);
     assert_float_equal(fish.position_m.x, 0.0f, 1e-4f);
 }
@@ -59,10 +59,10 @@ static void test_a_fish_reaches_95_percent_of_its_speed_after_the_run_up(void **
         swim_ticks(&fish, 1, 0.15f);
         ticks++;
     }
-    /* The acceleration takes 0.1639 s (19.7 ticks), so the speed is reached in tick 20. */
+    /* The acceleration takes 0.1639 s (19.7 ticks), so the fish must reach the speed in tick 20. */
     assert_int_equal(ticks, 20);
-    /* With v (1 - exp(-3 t / T)) the fish has swum 1.72 cm after 0.167 s. A fish that swam at a
-     * constant 15 cm/s would have needed 0.052 s less. */
+    /* With the law v (1 - exp(-3 t / T)), the fish has swum 1.72 cm after 0.167 s. At a constant 15
+     * cm/s it would have needed 0.052 s less for this distance. */
     assert_float_equal(v3_length(v3_sub(fish.position_m, start)), 0.0172f, 0.0007f);
 }
 
@@ -75,8 +75,8 @@ static void test_a_glide_loses_speed_slowly(void **state)
     assert_true(fish.speed_m_s > 0.03f && fish.speed_m_s < 0.05f);
 }
 
-/* Lets the fish swim for a minute with alternating beats and glides. Returns the mean speed in
- * lengths per second. */
+/* Lets the fish swim for a minute, with alternating tail beats and glides. Returns the mean speed
+ * in lengths per second. */
 static float swim_a_minute(struct fish *fish, float *fastest)
 {
     const uint32_t ticks = 60u * CORE_TICK_HZ;
@@ -115,8 +115,8 @@ static void test_a_fish_that_swims_a_minute_keeps_the_preferred_speed(void **sta
     print_message("off 1.05 lengths/s by %.3f at most, fastest %.2f\n", (double)worst,
                   (double)fastest);
     assert_true(worst < 0.02f);
-    /* The highest speed of a fish is above its mean speed, because tail beats and glides
-     * alternate. */
+    /* Because tail beats and glides alternate, the highest speed of a fish must be above its mean
+     * speed. */
     assert_true(fastest > 1.1f && fastest < 1.5f);
 }
 
@@ -142,7 +142,7 @@ static void test_a_burst_slows_smoothly_within_half_a_second(void **state)
     for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u; tick++) {
         swim_ticks(&fish, 1, 0.05f);
         const float now_m_s = v3_length(fish.velocity_m_s);
-        /* The fish must slow down gradually. An abrupt stop would be a loss of 7.5 cm/s in one
+        /* The fish must slow down gradually. If it stopped abruptly, it would lose 7.5 cm/s in one
          * tick. */
         assert_true(last_m_s - now_m_s < 0.006f);
         last_m_s = now_m_s;
@@ -150,7 +150,8 @@ static void test_a_burst_slows_smoothly_within_half_a_second(void **state)
     assert_true(last_m_s < 0.0751f);
 }
 
-/* Checks the highest yaw rate of a gait. `look` sets the phase of the cycle of beats and glides. */
+/* Checks the highest yaw rate of a fish with the gait `gait`. `look` sets the phase of its cycle of
+ * tail beats and glides. */
 static void check_turn(uint8_t gait, uint32_t look, float rate_max_deg_s)
 {
     struct fish fish = swimmer();
@@ -172,9 +173,9 @@ static void test_turns_are_limited_by_the_gait_and_reach_their_goal(void **state
 {
     (void)state;
     check_turn(GAIT_REST, 0, 45.0f);
-    /* In this phase of the tail beat, the fish glides. */
+    /* In this phase of the cycle the fish glides, so it must turn slowly. */
     check_turn(GAIT_SWIM, 40u << 14, 180.0f);
-    /* At phase 0 the fish beats its tail, so it turns faster. */
+    /* At phase 0 the fish beats its tail, so it may turn faster. */
     check_turn(GAIT_SWIM, 0, 500.0f);
     check_turn(GAIT_BURST, 0, 720.0f);
 }
@@ -194,7 +195,7 @@ static void test_depth_is_kept_with_the_nose_nearly_level(void **state)
 {
     (void)state;
     struct fish fish = swimmer();
-    /* A resting fish changes its depth by its swim bladder and stays nearly level. */
+    /* A resting fish changes its depth with its swim bladder, so it must stay nearly level. */
     fish.gait = GAIT_REST;
     fish.depth_goal_m = -0.09f;
     for (uint32_t tick = 0; tick < 20 * CORE_TICK_HZ; tick++) {
@@ -224,13 +225,14 @@ static void test_the_tail_beat_follows_the_true_speed(void **state)
     check_beat(0.0f, 0.5f);
     check_beat(1.05f, 1.75f);
     check_beat(3.99f, 6.65f);
-    /* The tail-beat formulas for slow and fast fish meet at four body lengths per second. */
+    /* There is one formula for slow fish and one for fast fish. Both must give the same tail beat
+     * at four body lengths per second. */
     check_beat(4.01f, 6.68f);
     check_beat(9.0f, 13.333f);
 }
 
-/* By Bainbridge 1958, the amplitude of the tail grows with the frequency up to 5 Hz and is then
- * constant. An amplitude of 1 is a fifth of the body length. */
+/* By Bainbridge 1958, the amplitude of the tail grows with the frequency up to 5 Hz, and is
+ * constant at higher frequencies. An amplitude of 1 means a fifth of the body length. */
 static void test_the_stroke_widens_up_to_five_beats_a_second(void **state)
 {
     (void)state;
@@ -243,11 +245,11 @@ static void test_the_stroke_widens_up_to_five_beats_a_second(void **state)
         swim_settle(&fleeing, v3(0.0f, 0.0f, -0.45f * CORE_TICK_S), v3(0.0f, 0.0f, -1.0f));
     }
     assert_float_equal(still.tail_amplitude, 0.15f, 0.01f);
-    /* At 2.7 beats per second the amplitude is below its maximum. */
+    /* At 2.7 beats per second, the amplitude must be below its maximum. */
     assert_float_equal(cruising.tail_amplitude, 0.61f, 0.01f);
-    /* At 5 beats per second the amplitude reaches its maximum. */
+    /* At 5 beats per second, the amplitude must reach its maximum. */
     assert_float_equal(fast.tail_amplitude, 1.0f, 0.01f);
-    /* At 13 beats per second the amplitude is still at its maximum, and only the frequency is
+    /* At 13 beats per second, the amplitude must still be at its maximum. Only the frequency is
      * higher. */
     assert_float_equal(fleeing.tail_amplitude, 1.0f, 0.01f);
 }
@@ -256,9 +258,10 @@ static void test_the_body_bends_along_its_arc(void **state)
 {
     (void)state;
     struct fish fish = swimmer();
-    fish.heading_rad = 90.0f * F_DEG; /* The fish turns 90 degrees to its left. */
+    /* Lets the fish turn to its left by 90 degrees. */
+    fish.heading_rad = 90.0f * F_DEG;
     swim_ticks(&fish, CORE_TICK_HZ / 4u, 0.05f);
-    /* In a left turn the tail bends to the left, which is a negative value. */
+    /* In a turn to the left, the tail must bend to the left, which is a negative value. */
     assert_true(fish.bend_rad < -0.1f);
 }
 
@@ -296,7 +299,8 @@ static void test_a_dropped_fish_falls_into_the_water_and_stays_there(void **stat
         ticks++;
         assert_true(ticks < CORE_TICK_HZ);
     }
-    assert_true(ticks > 15); /* A fall of 9 cm takes 0.135 s (16 ticks). */
+    /* A fall of 9 cm must take 0.135 s (16 ticks). */
+    assert_true(ticks > 15);
     assert_true(fish.position_m.y < 0.0f && fish.position_m.y > -0.1f);
     assert_int_equal(swim_fall(&fish), 0);
 }

@@ -1,5 +1,5 @@
 /* test_swim_simd.c -- checks that the SIMD code for swimming gives the same result as the scalar
- * code, bit for bit. Also checks the reported distances. */
+ * code, bit for bit. Checks also the distances that it reports. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,7 +13,8 @@
 #include "core/tank/behavior/swim.h"
 #include "tests/unit/support/pond.h"
 
-/* Number of fish. No number of lanes divides 67, so the last block is incomplete. */
+/* Number of fish. The prime number 67 is not divisible by any number of lanes, so the last block is
+ * incomplete. */
 #define SHOAL 67u
 #define SHOAL_ROUNDS 3000u
 
@@ -22,7 +23,7 @@ static float drawn(uint32_t round, uint32_t fish, uint32_t *use, float low, floa
     return rng_range((struct rng_key){ round, fish, (*use)++, RNG_TEST }, low, high);
 }
 
-/* Returns a fish in a random state, including states slightly outside the possible range. */
+/* Returns a fish in a random state. The state may be slightly outside the possible range. */
 static struct fish any_fish(uint32_t round, uint32_t index)
 {
     uint32_t use = 0;
@@ -56,7 +57,7 @@ static struct fish any_fish(uint32_t round, uint32_t index)
     };
     fish_grow(&fish, DRAWN(0.03f, 0.09f), pond_params());
     fish.gait = (uint8_t)DRAWN(0.0f, 4.999f);
-    /* Held fish are rare in this test, because a single one makes its whole block use the scalar
+    /* Makes held fish rare, because a single held fish makes its whole block use the scalar
      * code. */
     if (DRAWN(0.0f, 1.0f) < 0.02f) {
         fish.gait = DRAWN(0.0f, 1.0f) < 0.5f ? GAIT_HELD : GAIT_BOWL;
@@ -66,7 +67,7 @@ static struct fish any_fish(uint32_t round, uint32_t index)
     return fish;
 }
 
-/* Returns the greatest distance that a corner of the body has moved. */
+/* Returns the greatest distance by which a corner of the body has moved. */
 static float corner_way_m(const struct body *from, const struct body *to)
 {
     float farthest_m = 0.0f;
@@ -96,8 +97,8 @@ static void test_no_corner_moves_farther_than_the_reported_distance(void **state
         assert_true(corner_m <= way_m + 1e-6f);
         closest = f_min(closest, way_m > 1e-3f ? 1.0f - corner_m / way_m : 1.0f);
     }
-    /* The reported distance is an upper limit. In the closest case it exceeds the true distance by
-     * less than 10 %. */
+    /* The reported distance is an upper limit. In the best case, it must exceed the true distance
+     * by less than 10 %. */
     assert_true(closest < 0.1f);
 }
 

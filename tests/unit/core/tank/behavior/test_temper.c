@@ -1,5 +1,5 @@
-/* test_temper.c -- checks the operator's setting for calmer fish: a calm fish needs a stronger
- * stimulus to flee. */
+/* test_temper.c -- checks the operator's setting for calmer fish. A calm fish flees only from a
+ * stronger stimulus. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,7 +13,7 @@
 #include "tests/unit/support/open_tank.h"
 #include "tests/unit/support/pond.h"
 
-/* Length above which no fish is calm. */
+/* Length in metres above which a fish is never calm. */
 #define LONG_M 0.06f
 
 static void test_a_calm_fish_needs_a_stronger_stimulus(void **state)
@@ -61,7 +61,7 @@ static void test_the_share_of_calm_fish_is_that_of_the_temper(void **state)
 {
     (void)state;
     static struct tank tank;
-    /* All fish of this tank are shorter than 4.5 cm, so none is too long to be calm. */
+    /* All fish of this tank are shorter than 4.5 cm, so none of them is too long to be calm. */
     open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 5);
     for (uint32_t percent = 0; percent <= 100; percent += 25) {
         const struct temper temper = { .calm_share = 0.01f * (float)percent };

@@ -1,5 +1,5 @@
-/* test_wall_following.c -- checks that a single fish prefers the walls, as in figure 2.3 of the
- * 2013 thesis. */
+/* test_wall_following.c -- checks that a single fish prefers the walls, as figure 2.3 of the 2013
+ * thesis shows. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #include "core/tank/tank.h"
 #include "tests/unit/support/pond.h"
 
-/* Number of 2 cm bins from an end wall to the middle of the 60 cm long tank. */
+/* Number of bins of 2 cm between an end wall and the middle of the tank, which is 60 cm long. */
 #define BINS 15u
 #define BIN_M 0.02f
 #define FISH 24u
@@ -21,9 +21,10 @@
 static struct tank tank;
 
 struct histogram {
-    float share[BINS]; /* Share of the time in each bin (distance from the nearer end wall). */
-    float beside;      /* Share of the time within 6 cm of any wall. */
-    float lengths_s;   /* Mean speed in body lengths per second while the fish swims. */
+    /* Share of the time in each bin. The bin is given by the distance from the nearer end wall. */
+    float share[BINS];
+    float beside;    /* Share of the time within 6 cm of any wall. */
+    float lengths_s; /* Mean speed in body lengths per second while the fish swims. */
 };
 
 static struct tank_config aquarium(uint32_t seed, float wall_follow)
@@ -50,7 +51,7 @@ static void watch(struct histogram *histogram, float *swims)
     }
 }
 
-/* Lets FISH fish swim one after the other in a tank of 60 x 30 cm. Returns the histogram of their
+/* Lets FISH fish swim, one after the other, in a tank of 60 x 30 cm. Returns the histogram of their
  * positions. */
 static struct histogram histogram_of(float wall_follow)
 {
@@ -78,8 +79,8 @@ static struct histogram histogram_of(float wall_follow)
     return histogram;
 }
 
-/* Fits a line to ln(share) over the bins `first` to 9. Returns the length in metres over which the
- * share falls to 1/e, and stores the r squared of the fit. */
+/* Fits a line to ln(share) over the bins from `first` to 9. Returns the distance in metres over
+ * which the share falls to 1/e, and writes the r squared of the fit. */
 static float fall_off_m(const struct histogram *histogram, uint32_t first, float *r2)
 {
     float n = 0.0f, sx = 0.0f, sy = 0.0f, sxx = 0.0f, sxy = 0.0f, syy = 0.0f;
@@ -104,11 +105,11 @@ static void test_the_density_of_a_lone_fish_falls_with_the_distance_from_a_wall(
     float r2 = 0.0f;
     const float length_m = fall_off_m(&drawn, 1, &r2);
     print_message("falls to 1/e over %.1f cm, r2 %.3f\n", (double)(100.0f * length_m), (double)r2);
-    /* The share of the time falls to 1/e over about 7 cm from the wall. The walls attract the fish
-     * from up to 20 cm. */
+    /* The share of the time must fall to 1/e over about 7 cm. The walls attract the fish from a
+     * distance of up to 20 cm. */
     assert_true(length_m > 0.06f && length_m < 0.085f);
     assert_true(r2 > 0.95f);
-    /* The attraction must not stop the fish: along the walls it still swims at 0.85 lengths per
+    /* The attraction must not stop the fish. Along the walls it must still swim at 0.85 lengths per
      * second or more. */
     assert_true(drawn.lengths_s > 0.85f);
     const struct histogram indifferent = histogram_of(0.0f);
@@ -119,7 +120,8 @@ static void test_the_density_of_a_lone_fish_falls_with_the_distance_from_a_wall(
 static void test_the_wall_pull_falls_exponentially_and_ends_at_20_cm(void **state)
 {
     (void)state;
-    /* At 3 cm the fish is already beside the wall, so the wall no longer attracts it. */
+    /* At a distance of 3 cm the fish is already beside the wall, so the wall must no longer attract
+     * it. */
     assert_float_equal(behavior_wall_pull(0.03f, 0.05f), 0.0f, 0.0f);
     assert_float_equal(behavior_wall_pull(0.19f, 0.05f) / behavior_wall_pull(0.10f, 0.05f),
                        f_exp(-1.0f), 1e-4f);
@@ -135,8 +137,8 @@ static void test_a_wall_turns_headings_toward_itself_by_the_shorter_way(void **s
         struct fish fish = { WAKIN(0.05f), .gait = GAIT_SWIM,
                              .position_m = { 0.425f - 0.10f, -0.06f, 0.0f } };
         fish.heading_rad = (float)degrees * F_DEG;
-        /* The wall is in direction +x (a yaw of -90 degrees). The pull must never turn the heading
-         * away from the wall. */
+        /* The wall is in the direction +x, which is a yaw of -90 degrees. The attraction must never
+         * turn the heading away from the wall. */
         const float off_rad = f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI));
         behavior_wall_follow(&fish, &around);
         assert_true(f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI)) < off_rad + 1e-6f);
@@ -163,8 +165,8 @@ static void test_a_custom_tank_size_limits_the_fish_count_and_bad_sizes_are_reje
     assert_float_equal(tank.size_m.x, 0.60f, 1e-6f);
     assert_float_equal(tank.size_m.z, 0.30f, 1e-6f);
     const uint32_t most = tank_config_fish_max(&config);
-    /* This tank has 18 dm^2 of water surface. The festival's tank has 47 dm^2, so the limit is
-     * 18/47 of its limit. */
+    /* The festival's tank has 47 dm^2 of water surface and this tank has 18 dm^2. The largest
+     * number of fish must therefore be 18/47 of that of the festival's tank. */
     assert_in_range(most, 200, 300);
     config.fish_count = most + 1u;
     assert_false(tank_open(&tank, &config));

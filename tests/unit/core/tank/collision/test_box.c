@@ -1,4 +1,4 @@
-/* test_box.c -- checks the gap between oriented boxes against known distances, and compares the
+/* test_box.c -- checks the gap between oriented boxes against known distances. Compares also the
  * fast overlap test with the complete test. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -79,16 +79,16 @@ static void test_moving_along_the_axis_by_the_depth_separates_two_boxes(void **s
     assert_true(parted > 200);
 }
 
-/* Tests two crossed bars for which no face normal is a separating axis. Only the cross product of
- * two edges separates them. */
+/* Tests two crossed bars. No normal of a face separates them, but the cross product of two edges
+ * does. */
 static void test_crossed_edges_separate_boxes_that_no_face_separates(void **state)
 {
     (void)state;
     const vec3 half = v3(0.01f, 0.01f, 0.04f);
     const struct angles rolled = { 0.0f, 0.0f, 45.0f * F_DEG },
                         crossed = { 90.0f * F_DEG, 0.0f, 45.0f * F_DEG };
-    /* Each bar is turned by 45 degrees, so that an edge is on top. The edge is 1.414 cm above the
-     * bar's centre, and the centres are 3 cm apart. */
+    /* Each bar is rotated by 45 degrees about its axis, so that an edge is on top. This edge is
+     * 1.414 cm above the centre of the bar. The centres are 3 cm apart. */
     const struct box a = { v3(0.0f, 0.0f, 0.0f), vec_basis_from_angles(rolled), half },
                      b = { v3(0.0f, 0.030f, 0.0f), vec_basis_from_angles(crossed), half };
     const struct box_gap gap = box_gap(&a, 0.01f, &b, 0.01f);
@@ -138,8 +138,8 @@ static void test_the_shortest_move_across_a_rod_clears_it(void **state)
     assert_float_equal(beside.x, -0.001f, NEAR);
     assert_float_equal(v3_length(box_clear_rod(&box, v3(0.009f, 0.0f, 0.0f), up, 0.003f)), 0.0f,
                        NEAR);
-    /* A rod lies across the fish. The shortest way to free the box is up or down, never along the
-     * rod. */
+    /* A rod lies across the fish. The shortest way to free the box must be up or down, never along
+     * the rod. */
     const vec3 across = box_clear_rod(&box, v3(0.0f, 0.002f, 0.0f), right, 0.003f);
     assert_float_equal(across.x, 0.0f, NEAR);
     assert_float_equal(across.y, -0.011f, NEAR);

@@ -1,5 +1,5 @@
-/* test_broad_phase.c -- compares the broad phase (the search for near pairs) with a test of all
- * pairs, and checks the contact list. */
+/* test_broad_phase.c -- compares the broad phase, which is the search for near pairs, with a test
+ * of all pairs. Checks also the contact list. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,8 +11,8 @@
 #include "core/tank/behavior/swim.h"
 #include "tests/unit/support/throng.h"
 
-/* Checks that the contact list contains every pair of fish that overlap, found by a test of all
- * pairs. Returns the number of such pairs. */
+/* Checks that the contact list contains every pair of overlapping fish, which a test of all pairs
+ * finds. Returns the number of such pairs. */
 static uint32_t check_against_all_pairs(uint32_t count)
 {
     static uint8_t listed[600][600];
@@ -26,7 +26,7 @@ static uint32_t check_against_all_pairs(uint32_t count)
     look(0);
     for (uint32_t c = 0; c < broad_phase.contact_count; c++) {
         const uint32_t a = broad_phase.contact[c].a, b = broad_phase.contact[c].b;
-        /* Each pair may be listed only once. */
+        /* The list may contain each pair only once. */
         assert_int_equal(listed[a][b], 0);
         listed[a][b] = listed[b][a] = 1;
     }
@@ -54,8 +54,8 @@ static void test_the_grid_finds_every_pair_of_the_exhaustive_search(void **state
 static void test_the_grid_finds_pairs_across_cell_borders(void **state)
 {
     (void)state;
-    /* Shifts pairs of fish that are nose to nose in steps of 5 mm, so that a border between two
-     * cells falls between each pair at least once. */
+    /* Shifts pairs of fish, which are nose to nose, in steps of 5 mm. A border between two cells is
+     * then between the fish of each pair at least once. */
     for (uint32_t shift = 0; shift < 40; shift++) {
         for (uint32_t i = 0; i < 12; i += 2) {
             const float x = -0.6f + 0.2f * (float)(i / 2u) + 0.005f * (float)shift;
@@ -99,8 +99,8 @@ static void test_held_and_bowl_fish_are_not_in_the_broad_phase(void **state)
 
 /* ---- Ticks between full updates ------------------------------------------------------------- */
 
-/* Gives the fish motions at the limits of what occurs: some rest, some burst, turn sharply and are
- * pushed. */
+/* Gives the fish motions at the limits of what can occur: some fish rest, and others burst, turn
+ * sharply and are pushed. */
 static void randomize_motion(uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -114,7 +114,7 @@ static void randomize_motion(uint32_t count)
     }
 }
 
-/* Moves `count` fish by one tick without the contact solver. */
+/* Moves `count` fish by one tick. The contact solver does not run. */
 static void swim_on(uint32_t count)
 {
     static vec3 before_m[601];
@@ -249,8 +249,8 @@ static void test_a_full_contact_list_drops_other_pairs_each_tick(void **state)
     (void)state;
     static uint8_t served[200][200];
     enum { COUNT = 200 };
-    /* All 200 fish overlap each other. The 19,900 pairs do not fit in the list, which has room for
-     * 8,192. */
+    /* All 200 fish overlap each other. Their 19,900 pairs do not fit in the list, which has room
+     * for 8,192 pairs. */
     for (uint32_t i = 0; i < COUNT; i++) {
         fish[i] = (struct fish){ .position_m = { 0.00004f * (float)i, -0.1f, 0.0f }, WAKIN(0.05f) };
     }

@@ -25,8 +25,8 @@ static void begin_step(uint32_t count, float push_max_m)
     contact_solver_project(&solver, &broad_phase, &place);
 }
 
-/* Builds the bodies of the fish. `before_m` has their previous positions; null means that the fish
- * did not move. */
+/* Prepares the contact solver with the bodies of the fish. `before_m` has the previous positions of
+ * the fish; null means that the fish did not move. */
 static void gather(uint32_t count, const vec3 *before_m)
 {
     contact_solver_begin(&solver, fish, count);
@@ -71,7 +71,7 @@ static void test_the_solver_moves_a_fish_at_most_2_mm_beyond_its_own_motion(void
     (void)state;
     static vec3 before_m[300];
     fill_at_random(300, 0.3f, 0.06f);
-    /* Moves the fish together into a quarter of the area, and gives each a motion of 2 mm in this
+    /* Moves the fish together, into a quarter of the area. Each fish gets a motion of 2 mm in this
      * tick. */
     for (uint32_t i = 0; i < 300; i++) {
         fish[i].position_m = v3_scale(fish[i].position_m, 0.5f);
@@ -95,8 +95,8 @@ static void test_the_solver_moves_a_fish_at_most_2_mm_beyond_its_own_motion(void
 static void test_a_blocked_fish_leaves_the_correction_to_the_other(void **state)
 {
     (void)state;
-    /* In this tick the large fish moved 24 mm, until it overlapped the small resting fish by 8 mm.
-     * The solver must move the large fish back, because the small fish did not move. */
+    /* In this tick the large fish has moved 24 mm and overlaps the small resting fish by 8 mm. The
+     * solver must move the large fish back, because the small fish did not move. */
     const vec3 before_m[2] = { { 0.0f, -0.1f, 0.0f }, { 0.028f, -0.1f, 0.0f } };
     fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.04f) };
     fish[1] = (struct fish){ .position_m = { 0.004f, -0.1f, 0.0f }, WAKIN(0.08f) };
@@ -118,13 +118,13 @@ static void test_the_larger_of_two_fish_moves_less(void **state)
     const float large_m = -broad_phase.body[0].centre_m.x,
                 small_m = broad_phase.body[1].centre_m.x - 0.009f;
     assert_true(large_m > 0.0f);
-    /* The large fish is twice as long and has eight times the mass, so it is pushed an eighth as
-     * far. */
+    /* The large fish is twice as long and has eight times the mass, so the solver must push it an
+     * eighth as far. */
     assert_float_equal(small_m / large_m, 8.0f, 0.2f);
 }
 
-/* Two fish lie side by side at a wall, and a third one turns into them. No push can separate them,
- * so the third fish must be reverted to its old pose. */
+/* Two fish lie side by side at a wall, and a third fish turns into them. No push can separate the
+ * fish, so the third fish must get its old pose again. */
 static void test_an_unsolved_fish_gets_its_old_pose_bit_for_bit(void **state)
 {
     (void)state;
@@ -147,7 +147,7 @@ static void test_an_unsolved_fish_gets_its_old_pose_bit_for_bit(void **state)
     assert_true(depth_m(0, 1) <= SOLVER_FREE_M && depth_m(1, 2) <= SOLVER_FREE_M);
 }
 
-/* Moves a disc by 12 mm with a turn in one tick, in several substeps. */
+/* Moves a disc by 12 mm in one tick, in several substeps. The disc also turns. */
 static void take_all_steps(struct obstacle *disc, uint8_t gave)
 {
     *disc = (struct obstacle){ .kind = OBSTACLE_DISC,
@@ -196,17 +196,17 @@ static void test_a_blocked_obstacle_loses_its_unused_speed_and_turn(void **state
     assert_int_equal(disc.turned, 0);
 }
 
-/* No number of lanes divides 203, so the last block is incomplete. */
+/* Number of fish. It is not divisible by any number of lanes, so the last block is incomplete. */
 enum { MANY = 203 };
 
-/* Runs the solver on the crowd of begin_step() with `lanes` SIMD lanes. If `alone` is set, each
- * fish is solved by the scalar code. */
+/* Runs the solver on the crowd of begin_step() with `lanes` SIMD lanes. If `alone` is set, the
+ * solver uses the scalar code for each fish. */
 static void clear_crowd(uint8_t lanes, int alone)
 {
     place.lanes = lanes;
     broad_phase_gather(&broad_phase, fish, MANY, 0.2f);
     for (uint32_t i = 0; i < MANY && alone; i++) {
-        /* With this flag, the solver uses the scalar code for a fish. */
+        /* This flag makes the solver use the scalar code for the fish. */
         broad_phase.flags[i] |= BODY_NEAR_OBSTACLE;
     }
     contact_solver_substep_count(&solver, &place);
@@ -228,7 +228,7 @@ static void test_simd_lanes_equal_the_scalar_form_at_walls_and_a_poi(void **stat
                              .step_m = { 0.001f, 0.0f, 0.0f } };
     fill_at_random(MANY, 1.2f, 0.06f);
     contact_solver_begin(&solver, fish, MANY);
-    /* Pushes some fish beyond the walls, the floor and the surface. */
+    /* Places some fish beyond the walls, the floor and the surface. */
     for (uint32_t i = 0; i < MANY; i++) {
         fish[i].position_m.x *= 1.05f;
         fish[i].position_m.y += draw(i, 8, -0.008f, 0.008f);
@@ -258,8 +258,8 @@ static void test_simd_lanes_equal_the_scalar_form_at_walls_and_a_poi(void **stat
 }
 
 /* Moves and turns every fish at random, forty times. Two fish that did not overlap before must
- * never overlap afterwards. A few pairs overlap at the start, so a pair is checked only after it
- * was separate once. */
+ * never overlap afterwards. A few pairs overlap at the start, so a pair is checked only from the
+ * moment at which it is separate. */
 static void test_fish_without_an_overlap_stay_without_one(void **state)
 {
     (void)state;
@@ -268,7 +268,7 @@ static void test_fish_without_an_overlap_stay_without_one(void **state)
     uint32_t reverted_count = 0, free_count = 0;
     float deepest_m = 0.0f;
     fill_at_random(COUNT, 0.3f, 0.05f);
-    /* Shrinks the area so that 400 fish are as dense as 2,000 fish in the whole tank. */
+    /* Shrinks the area, so that the 400 fish are as dense as 2,000 fish in the whole tank. */
     for (uint32_t i = 0; i < COUNT; i++) {
         fish[i].position_m.x *= 0.4f;
         fish[i].position_m.z *= 0.5f;
@@ -315,8 +315,8 @@ static void test_fish_without_an_overlap_stay_without_one(void **state)
     assert_true(deepest_m <= SOLVER_FREE_M + 1e-6f);
 }
 
-/* Each fish is 0.5 mm from its neighbours and may touch up to 26 of them. These are more pairs than
- * the contact list can hold. */
+/* Each fish is 0.5 mm from its neighbours and may touch up to 26 of them. The contact list cannot
+ * hold so many pairs. */
 static void test_no_fish_overlap_when_the_contact_list_is_full(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_hull.c -- compares the computed distance between a bowl's hull and a fish's box with the
- * distance to sampled points of the hull. */
+/* test_hull.c -- checks the distance between a bowl's hull and a fish's box. The computed distance
+ * is compared with the distance to sample points of the hull. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -27,7 +27,8 @@ static double part(vec3 axis, const double p[3])
     return (double)axis.x * p[0] + (double)axis.y * p[1] + (double)axis.z * p[2];
 }
 
-/* Returns the distance from the box to a point. The result is 0 inside the box. */
+/* Returns the distance between the box and a point. The result is 0 if the point is inside the
+ * box. */
 static double box_to_point_m(const struct box *box, const double at[3])
 {
     const double p[3] = { at[0] - (double)box->centre_m.x, at[1] - (double)box->centre_m.y,
@@ -38,8 +39,8 @@ static double box_to_point_m(const struct box *box, const double at[3])
     return sqrt(x * x + y * y + z * z);
 }
 
-/* Returns the smallest distance from the box to 115,200 sample points of the hull below its
- * mouth. */
+/* Returns the smallest distance between the box and 115,200 sample points, which are on the hull
+ * below its opening. */
 static double sampled_m(const struct box *box)
 {
     double least_m = 1.0;
@@ -96,8 +97,8 @@ static void test_the_distance_to_a_hull_is_that_of_its_nearest_point(void **stat
     assert_true(worst_share < 0.08);
 }
 
-/* A few moves along the separation vector must bring a box out of the hull. The contact solver
- * relies on this. */
+/* A few moves along the separation vector must bring a box out of the hull, because the contact
+ * solver relies on this. */
 static void test_the_separation_vector_leads_out_of_the_hull(void **state)
 {
     (void)state;

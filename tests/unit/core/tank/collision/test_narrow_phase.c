@@ -1,8 +1,8 @@
 /* test_narrow_phase.c -- checks that the search for overlapping pairs finds the same pairs as a
  * test of all pairs.
  *
- * The fish are boxes of 5 x 2 x 1 cm with personal spaces of 7 x 4 x 3 cm (2013 thesis, sections
- * 3.1 and 3.4), and of other sizes. */
+ * The fish are boxes of 5 x 2 x 1 cm with personal spaces of 7 x 4 x 3 cm, as in the 2013 thesis
+ * (sections 3.1 and 3.4). Some tests use other sizes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +16,7 @@
 
 #define COUNT_MAX 700u
 #define FOUND_MAX (COUNT_MAX * COUNT_MAX / 2u)
-/* Side of a grid cell in metres, which equals the diagonal of a personal space of 7 x 4 x 3 cm. */
+/* Side of a grid cell in metres. It equals the diagonal of a personal space of 7 x 4 x 3 cm. */
 #define CELL_EXACT_M 0.08602f
 #define ROUNDING_M 1e-6f
 
@@ -26,7 +26,7 @@ static uint8_t flags[COUNT_MAX];
 static float reach_m[COUNT_MAX];
 static struct narrow_phase_pair found[FOUND_MAX + NARROW_PHASE_BATCH + SIMD_LANES_MAX];
 static struct narrow_phase_pair others[FOUND_MAX + NARROW_PHASE_BATCH + SIMD_LANES_MAX];
-/* Index of each pair in `found`, plus 1; 0 if the pair was not found. */
+/* Index in `found` of each pair, plus 1; 0 if the pair was not found. */
 static uint32_t listed[COUNT_MAX][COUNT_MAX];
 
 static float draw(uint32_t who, uint32_t purpose, float low, float high)
@@ -72,7 +72,7 @@ static uint32_t search(struct narrow_phase_pair *to, uint32_t count, uint8_t how
                                            .width_m = 1.36f,
                                            .breadth_m = 0.65f };
     uint32_t all = 0;
-    /* Overwrites the structure with the byte 0x5a, because a search must not depend on its old
+    /* Overwrites the structure with the byte 0x5a, because a search must not depend on old
      * contents. */
     memset(&pairs, 0x5a, sizeof pairs);
     narrow_phase_begin(&pairs, &of);
@@ -89,8 +89,8 @@ static int same(const struct narrow_phase_pair *a, const struct narrow_phase_pai
            a->axis == b->axis && a->spaces == b->spaces;
 }
 
-/* Runs the search with every number of lanes and every method. All must find the same pairs in the
- * same order, bit for bit. */
+/* Runs the search with every number of lanes and every search method. Each must find the same pairs
+ * in the same order, bit for bit. */
 static uint32_t search_every_way(uint32_t count)
 {
     const uint32_t all = search(found, count, PAIR_SEARCH_GRID, 4);
@@ -106,8 +106,8 @@ static uint32_t search_every_way(uint32_t count)
     return all;
 }
 
-/* Compares the search with box_gap() of every pair. Returns the number of pairs whose spaces
- * overlap. */
+/* Compares the search with box_gap() for every pair. Returns the number of pairs whose personal
+ * spaces overlap. */
 static uint32_t check(uint32_t count)
 {
     const uint32_t all = search_every_way(count);
@@ -115,7 +115,7 @@ static uint32_t check(uint32_t count)
     memset(listed, 0, sizeof listed);
     for (uint32_t f = 0; f < all; f++) {
         uint32_t *place = &listed[found[f].a][found[f].b];
-        /* Each pair may be found only once. */
+        /* The search may find each pair only once. */
         assert_true(*place == 0 && listed[found[f].b][found[f].a] == 0);
         *place = listed[found[f].b][found[f].a] = f + 1u;
     }
@@ -123,7 +123,7 @@ static uint32_t check(uint32_t count)
         for (uint32_t j = i + 1u; j < count; j++) {
             const struct box a = body_box(&body[i]), b = body_box(&body[j]);
             const struct box_gap gap = box_gap(&a, body[i].margin_m, &b, body[j].margin_m);
-            /* The large margins of 1 m ensure that box_gap() computes the exact gap. */
+            /* The margins of 1 m are so large that box_gap() computes the exact gap. */
             const float gap_m = box_gap(&a, 1.0f, &b, 1.0f).body_m;
             const int both = flags[i] & flags[j] & 1;
             const int near =
@@ -180,7 +180,8 @@ static void test_pairs_outside_the_grid_are_found(void **state)
     (void)state;
     fill(400, 0.5f, 0.05f, 0.05f);
     for (uint32_t i = 0; i < 400; i++) {
-        /* The grid ends at x = 0.68 m and z = 0.325 m, so most of these fish are outside. */
+        /* The grid extends to x = 0.68 m and z = 0.325 m, so most of these fish are outside the
+         * grid. */
         body[i].centre_m =
             v3(draw(i, 1, 0.5f, 1.2f), draw(i, 2, -0.2f, 0.1f), draw(i, 3, 0.2f, 0.7f));
     }
@@ -191,15 +192,15 @@ static void test_all_pairs_in_one_cell_are_found(void **state)
 {
     (void)state;
     fill(COUNT_MAX, 0.5f, 0.05f, 0.05f);
-    /* All fish are in one cell. Their 244,650 pairs fill many batches, and the pairs of one fish
-     * may be divided between two batches. */
+    /* Places all fish in one cell. Their 244,650 pairs fill many batches, and a batch may end
+     * between two pairs of the same fish. */
     for (uint32_t i = 0; i < COUNT_MAX; i++) {
         body[i].centre_m = v3(draw(i, 1, 0.0f, 0.01f), -0.1f, draw(i, 3, 0.0f, 0.01f));
     }
     assert_int_equal(check(COUNT_MAX), COUNT_MAX * (COUNT_MAX - 1u) / 2u);
 }
 
-/* Places pairs around the corners of cells and across the borders between cells. */
+/* The pairs of fish are placed around the corners of cells and across the borders between cells. */
 static void test_pairs_at_the_corners_of_cells_are_found(void **state)
 {
     (void)state;
@@ -210,7 +211,8 @@ static void test_pairs_at_the_corners_of_cells_are_found(void **state)
                                    -0.325f + CELL_EXACT_M * (float)(row + 1u));
             const float yaw = F_PI * 0.25f * (float)(column % 4u);
             const vec3 along = v3(-f_sin(yaw), 0.0f, -f_cos(yaw));
-            /* Two fish are nose to nose across the corner, and their spaces overlap by 0.2 mm. */
+            /* Places two fish nose to nose on both sides of the corner, so that their spaces
+             * overlap by 0.2 mm. */
             for (uint32_t end = 0; end < 2u; end++) {
                 const vec3 at = v3_muladd(corner, along, end == 0 ? 0.0349f : -0.0349f);
                 put(count++, at, (struct angles){ yaw, 0.0f, 0.0f }, 0.05f);
@@ -220,14 +222,14 @@ static void test_pairs_at_the_corners_of_cells_are_found(void **state)
     assert_true(check(count) >= 105u);
 }
 
-/* Two fish whose spaces touch are farthest apart if the corners of the spaces touch along the
- * diagonal. */
+/* Two spaces that touch have the greatest possible distance if their corners touch along the
+ * diagonal. The search must find even such a pair in neighbouring cells. */
 static void test_the_farthest_pair_that_overlaps_lies_within_one_cell(void **state)
 {
     (void)state;
     uint32_t overlaps = 0;
     for (uint32_t shift = 0; shift < 200; shift++) {
-        /* Turns the box so that its diagonal is horizontal, because the grid uses only horizontal
+        /* Rotates the box so that its diagonal is horizontal, because the grid uses only horizontal
          * distances. */
         put(0, v3(0.0005f * (float)shift, -0.1f, 0.0f), (struct angles){ 0.5f, 0.3f, 0.2f }, 0.05f);
         body[1] = body[0];
@@ -272,7 +274,8 @@ static void test_a_fish_without_the_flag_is_not_found(void **state)
     assert_int_equal(search_every_way(0), 0);
 }
 
-/* Projected on the returned axis, the two boxes must have the returned gap. */
+/* If two boxes are projected on the returned axis, the distance of the projections must equal the
+ * returned gap. */
 static void test_the_axis_of_a_pair_has_the_pairs_gap(void **state)
 {
     (void)state;
@@ -298,7 +301,7 @@ static void test_the_axis_of_a_pair_has_the_pairs_gap(void **state)
     assert_true(by_edges > all / 20u);
 }
 
-/* Returns the share of overlapping pairs whose fish are not in neighbouring cells of a grid with
+/* Returns the share of the overlapping pairs whose fish are not in neighbouring cells. The grid has
  * `columns` x `rows` cells. */
 static float missed_by_cells(float columns, float rows)
 {
@@ -318,8 +321,8 @@ static float missed_by_cells(float columns, float rows)
     return (float)missed / (float)overlaps;
 }
 
-/* Section 3.7 of the thesis uses 40 x 20 cells of about 3.5 cm and searches the nine cells around a
- * fish. The test shows how many pairs this misses. */
+/* Section 3.7 of the thesis uses 40 x 20 cells of about 3.5 cm, and searches the nine cells around
+ * each fish. This test shows how many pairs such a search misses. */
 static void test_the_thesis_cells_miss_a_quarter_of_the_pairs(void **state)
 {
     (void)state;

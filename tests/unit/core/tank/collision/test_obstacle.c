@@ -49,7 +49,8 @@ static void test_fish_over_and_under_the_paper_are_not_moved(void **state)
     const struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.0f, 0.0f, 0.0f));
     assert_true(push_m(&disc, v3(0.0f, -0.042f, 0.0f), 0.0f) == 0.0f);
     assert_true(push_m(&disc, v3(0.01f, -0.058f, 0.01f), 45.0f) == 0.0f);
-    /* The fish is inside the ring, in the plane of the paper. The ring itself must not push it. */
+    /* The fish is in the middle of the ring, in the plane of the paper. The ring itself must not
+     * push the fish. */
     assert_true(push_m(&disc, v3(0.0f, -0.05f, 0.0f), 0.0f) == 0.0f);
 }
 

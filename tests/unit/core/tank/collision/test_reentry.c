@@ -1,5 +1,5 @@
-/* test_reentry.c -- checks fish that are dropped into the water among other fish. Such a fish may
- * swim only after it overlaps no other fish. */
+/* test_reentry.c -- checks fish that are dropped into the water among other fish. A dropped fish
+ * may swim only after it is clear of all other fish. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -55,8 +55,8 @@ static float deepest_m(void)
     return deepest;
 }
 
-/* Returns after how many ticks all dropped fish swim. In each tick, no swimming fish may overlap
- * another. */
+/* Returns the number of ticks after which all dropped fish swim. In each of these ticks, no
+ * swimming fish may overlap another. */
 static uint32_t run_until_all_swim(uint32_t tick, struct obstacle *obstacles, uint32_t count)
 {
     for (uint32_t ticks = 0; ticks < 10u * CORE_TICK_HZ; ticks++) {
@@ -89,7 +89,7 @@ static void settle(uint32_t *tick, uint32_t ticks)
     }
 }
 
-/* Drops 20 fish at a time, each onto another fish. All dropped fish must swim within half a
+/* Drops 20 fish at the same time, each onto another fish. All of them must swim within half a
  * second. */
 static void test_fish_dropped_into_a_full_tank_swim_within_half_a_second(void **state)
 {
@@ -145,8 +145,8 @@ static void test_fish_dropped_on_each_other_separate(void **state)
     expect_all_swim_soon("twelve in one place", run_until_all_swim(0, NULL, 0));
 }
 
-/* Drops two equal fish at one place in open water. The first may swim at once, and the second as
- * soon as it is clear of the first. */
+/* Drops two equal fish at the same place in open water. The first fish may swim at once. The second
+ * fish may swim as soon as it is clear of the first. */
 static void test_two_dropped_fish_in_one_place_swim_without_an_overlap(void **state)
 {
     (void)state;
@@ -162,7 +162,8 @@ static void test_two_dropped_fish_in_one_place_swim_without_an_overlap(void **st
     assert_int_equal(tank.reentry_count, 0);
 }
 
-/* Fills the smallest allowed tank with the maximum number of fish and drops one of them. */
+/* The smallest allowed tank is filled with the maximum number of fish, and one of them is
+ * dropped. */
 static void test_there_is_a_gap_even_in_the_smallest_tank(void **state)
 {
     (void)state;
@@ -175,8 +176,8 @@ static void test_there_is_a_gap_even_in_the_smallest_tank(void **state)
     expect_all_swim_soon("in a small tank", run_until_all_swim(0, NULL, 0));
 }
 
-/* The dropped fish lie just above the paper, under two layers of other fish. The dropped fish must
- * find free places above the paper and not pass through it. */
+/* The dropped fish lie just above the paper, below two layers of other fish. They must find free
+ * places above the paper, and must not pass through the paper. */
 static void test_a_dropped_fish_takes_no_gap_through_paper(void **state)
 {
     (void)state;
@@ -192,7 +193,8 @@ static void test_a_dropped_fish_takes_no_gap_through_paper(void **state)
                              .axes_before = vec_basis_from_angles((struct angles){ 0 }),
                              .paper = paper,
                              .paper_radius_m = 0.9f * POI_RADIUS };
-    /* 36 fish swim in three layers of twelve. Twelve more are dropped onto the lowest layer. */
+    /* 36 fish swim in three layers of twelve. Twelve more fish are dropped onto the lowest
+     * layer. */
     open_tank(&tank, TANK_PRESET_FESTIVAL, 48, 6);
     for (uint32_t i = 0; i < 48; i++) {
         const uint32_t layer = i / 12u % 3u;

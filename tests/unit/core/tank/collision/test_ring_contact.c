@@ -1,5 +1,5 @@
-/* test_ring_contact.c -- checks the contact of a moving poi and a fish within one tick: motion,
- * reaction, and the side of the paper on which the fish is. */
+/* test_ring_contact.c -- checks the contact between a moving poi and a fish within one tick: the
+ * motion, the reaction, and the side of the paper on which the fish stays. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -27,8 +27,8 @@ static struct angles any_angles(uint32_t who, uint32_t which)
                             draw(who, which + 2u, -0.8f, 0.8f) };
 }
 
-/* Returns a disc at a random place that moved at up to 3 m/s in this tick. Discs with an odd number
- * also turned. */
+/* Returns a disc at a random place that has moved at up to 3 m/s in this tick. If `who` is odd, the
+ * disc has also turned. */
 static struct obstacle disc_of(uint32_t who)
 {
     struct obstacle disc = {
@@ -80,8 +80,8 @@ static void test_a_fish_moved_with_the_disc_keeps_its_relative_position(void **s
     }
 }
 
-/* Fish push a disc back along its step. The disc never moves back by more than its step. If a fish
- * did not touch the disc before the step, it does not touch the disc at the end. */
+/* Fish push a disc back along its step. The disc must never move back by more than its step. If a
+ * fish did not touch the disc before the step, it must not touch the disc at the end. */
 static void test_a_blocked_disc_moves_back_by_at_most_its_step(void **state)
 {
     (void)state;
@@ -126,8 +126,8 @@ static void test_a_disc_at_rest_does_not_move_back(void **state)
     assert_true(v3_length(v3_sub(disc.centre_m, centre_m)) == 0.0f && disc.reaction == 0);
 }
 
-/* At 3 m/s, paper moves 25 mm in a tick, which is more than the height of a fish. The fish must
- * stay on its side. */
+/* At 3 m/s, the paper moves by 25 mm in a tick, which is more than the height of a fish. The fish
+ * must nevertheless stay on its side of the paper. */
 static void test_paper_keeps_a_fish_on_its_side_at_any_speed(void **state)
 {
     (void)state;

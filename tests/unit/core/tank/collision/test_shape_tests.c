@@ -1,5 +1,5 @@
-/* test_shape_tests.c -- compares the computed distance between a fish's box and a poi's ring with
- * the distance to about 1,000 points of the ring. */
+/* test_shape_tests.c -- checks the distance between a fish's box and a poi's ring. The computed
+ * distance is compared with the distance to about 1,000 points of the ring. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,8 @@
 #include "core/tank/collision/box.h"
 
 #define WALK_POINTS 1024
-/* Tolerance of 0.06 mm. The distance of the sample points alone gives an error of 0.01 mm. */
+/* Tolerance in metres (0.06 mm). The spacing of the sample points alone causes an error of 0.01
+ * mm. */
 #define EXACT_M 0.00006f
 
 static float draw(uint32_t which, uint32_t i, float low, float high)
@@ -30,7 +31,7 @@ static struct ring ring_of(uint32_t i)
                           0.0033f };
 }
 
-/* Returns a random box, 3 to 15 cm long, near the ring. */
+/* Returns a random box near the ring. The box is 3 to 15 cm long. */
 static struct box box_by(const struct ring *ring, uint32_t i)
 {
     const float length_m = draw(5, i, 0.03f, 0.15f);
@@ -43,8 +44,8 @@ static struct box box_by(const struct ring *ring, uint32_t i)
                          v3(0.1f * length_m, 0.2f * length_m, 0.5f * length_m) };
 }
 
-/* Returns the distance from the ring's centre line to the box, found by walking along the ring;
- * negative inside the box. */
+/* Returns the distance between the ring's centre line and the box, which is computed from points
+ * along the ring. The result is negative if the centre line is inside the box. */
 static float walked_m(const struct ring *ring, const struct box *box)
 {
     const vec3 other = f_abs(ring->normal.y) < 0.7f ? v3(0.0f, 1.0f, 0.0f) : v3(1.0f, 0.0f, 0.0f);
@@ -101,8 +102,8 @@ static void test_the_separation_vector_leads_off_the_ring(void **state)
         }
     }
     assert_true(touching > 700);
-    /* A box between two parts of the ring cannot be freed in one step, so only 80 % of the boxes
-     * must be free. */
+    /* A box that is between two parts of the ring cannot be freed in one step. The test therefore
+     * requires that only 80 % of the boxes are free. */
     assert_true(freed * 10u > touching * 8u);
 }
 

@@ -1,5 +1,5 @@
-/* test_spatial_grid.c -- checks that the grid contains every point exactly once, and that near
- * points are in neighbouring cells. */
+/* test_spatial_grid.c -- checks that the grid contains every point exactly once. Points that are
+ * near each other must be in neighbouring cells. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +19,7 @@ static float draw(uint32_t who, uint32_t purpose, float low, float high)
     return rng_range((struct rng_key){ 5, 0, who, purpose }, low, high);
 }
 
-/* Returns the cell of a point. A point outside the grid belongs to the nearest cell at the
+/* Returns the index of a point's cell. A point outside the grid belongs to the nearest cell at the
  * border. */
 static uint32_t cell_at(const struct spatial_grid *plan, vec3 point_m)
 {
@@ -41,7 +41,7 @@ static void fill(uint32_t count)
 static void fill_at_random(uint32_t count, float width, float breadth)
 {
     for (uint32_t i = 0; i < count; i++) {
-        /* Some points lie outside the grid. */
+        /* Some of these points lie outside the grid. */
         points[i] = v3(draw(i, 1, -0.55f * width, 0.55f * width), 0.0f,
                        draw(i, 2, -0.55f * breadth, 0.55f * breadth));
     }
@@ -119,7 +119,7 @@ static void test_members_of_a_cell_keep_their_order(void **state)
     }
 }
 
-/* Each cell visits only half of its neighbours. Together, all cells must visit each pair of
+/* Each cell visits only half of its neighbours. All cells together must visit each pair of
  * neighbouring cells exactly once. */
 static void test_a_half_neighbourhood_visits_each_pair_of_cells_once(void **state)
 {
