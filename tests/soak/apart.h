@@ -42,7 +42,7 @@ struct apart {
     float loose_s;
 
     /* State of each fish for the checks of stuck fish and of reversals: a reference position, the
-     * tick at which the fish was there, and the side of the fish's last turn. */
+     * tick in which the fish was at this position, and the side of the fish's last turn. */
     vec3 spot_m[TANK_FISH_MAX];
     uint32_t spot_tick[TANK_FISH_MAX], loose_ticks[TANK_FISH_MAX];
     float yaw_rad[TANK_FISH_MAX];

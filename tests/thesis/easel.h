@@ -17,7 +17,7 @@ enum easel_camera {
     CAMERA_SIDE,
     CAMERA_SLANT, /* The whole tank from 60 degrees above the water. */
     CAMERA_SHADE, /* The middle of the tank from above, with the shadow of a fan. */
-    CAMERA_NOSES, /* View near the surface that shows fish breathing there with their snouts up. */
+    CAMERA_NOSES, /* View near the surface, where fish breathe with their snouts up. */
     CAMERA_MEETING, /* Close view of `easel_shot.look_at_m` from above. */
 };
 

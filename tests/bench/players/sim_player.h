@@ -147,7 +147,8 @@ struct sight {
 /* Command that a player gives to the input device in one frame. */
 struct player_command {
     float x_px, y_px;   /* Position on the screen to which the ring should move. */
-    float speed_px_s;   /* Highest speed of the ring on the way there. */
+    float speed_px_s;   /* Highest speed of the ring while it moves to the position `x_px`,
+                           `y_px`. */
     bool dips;          /* True while the ring should be under water. */
     bool tips;          /* True while the catch should slide from the paper into the bowl. */
     float tilt_notches; /* Tilt of the ring in notches of a wheel. */

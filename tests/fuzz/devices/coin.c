@@ -2,11 +2,11 @@
  * must count the same coins and faults as a reference decoder, which has the complete list of
  * edges.
  *
- * Input: the debounce period in 0.1 ms, the smallest pulse width of a coin in ms, the range of
- * valid widths above it in ms, and the first level of the line. Then two bytes for each edge, low
- * byte first. From the lowest bit, they contain 13 bits of time since the last edge in units of 50
- * us, one bit for a poll just before the edge, one bit for a poll just after the edge, and the new
- * level. */
+ * The input begins with four bytes: the debounce period in 0.1 ms, the smallest pulse width of a
+ * coin in ms, the range of valid widths above it in ms, and the first level of the line. Two bytes
+ * follow for each edge, the low byte first. Their bits, from the lowest, are 13 bits of time since
+ * the last edge in units of 50 us, one bit for a poll just before the edge, one bit for a poll just
+ * after the edge, and the new level. */
 #include "drivers/gpio/gpio_thread.h"
 #include "tests/fuzz/trap.h"
 

@@ -2,9 +2,10 @@
  * other. The filter must return alternating changes in the order of time. If the line stays
  * constant, the filter must accept its level.
  *
- * Input: the debounce period in 0.1 ms and the first level. Then two bytes for each step, low byte
- * first. From the lowest bit, they contain 12 bits of time in units of 50 us, three bits for the
- * kind of step (an edge, a late edge, an edge after lost edges, or a level), and the level. */
+ * The input begins with two bytes: the debounce period in 0.1 ms, and the first level. Two bytes
+ * follow for each step, the low byte first. Their bits, from the lowest, are 12 bits of time in
+ * units of 50 us, three bits for the kind of step (an edge, a late edge, an edge after lost edges,
+ * or a level), and the level. */
 #include "drivers/gpio/gpio_thread.h"
 #include "tests/fuzz/trap.h"
 

@@ -32,8 +32,8 @@ static inline void open_core(const struct core_config *config)
     memset(sounds, 0, sizeof sounds);
 }
 
-/* Runs one tick (1/120 s) of the core. Afterwards, the pressed buttons and inserted coins of the
- * input are cleared. */
+/* Runs one tick (1/120 s) of the core. Afterwards, the pressed buttons of the input are cleared,
+ * because a press lasts one tick. */
 static inline void tick(void)
 {
     output.sound_count = 0;

@@ -49,7 +49,7 @@ static inline void count_kick(void *self)
     rig.kicks++;
 }
 
-/* Returns 1, the state of a watchdog that is in use. */
+/* Returns WATCH_FED, which is the state of a watchdog that is in use. */
 static inline uint8_t watches(void *self)
 {
     (void)self;

@@ -163,7 +163,8 @@ static void test_a_new_poi_gets_the_first_slot_of_the_mouse(void **state)
     assert_int_equal(stall.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
     plug();
     until(sits_on_usb);
-    /* The mouse has moved to slot 1 and gives no input there, because it has not moved since. */
+    /* The mouse has moved to slot 1. The slot has no input yet, because the mouse was not moved
+     * since. */
     assert_int_equal(stall.kiosk.input.poi[1].link, POI_SOURCE_ABSENT);
     assert_int_equal(stall.kiosk.faults.poi, 0);
     assert_true(stall.kiosk.report_wait.count > 0);

@@ -46,7 +46,7 @@ static void test_only_reports_that_were_sent_get_a_sequence_number(void **state)
     uint8_t bytes[64];
     uint32_t sent = 0;
     while (sent < 100000 && hid_gadget_send(&gadget, &report)) {
-        /* Sends reports until the socket buffer is full. The host reads no reports. */
+        /* The host reads no reports, so the socket buffer becomes full after a while. */
         sent++;
     }
     assert_true(sent > 1 && sent < 100000);

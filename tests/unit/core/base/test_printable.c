@@ -35,8 +35,8 @@ static void test_each_control_character_becomes_one_question_mark(void **state)
 {
     (void)state;
     expect("a\033[31mb\r\n\tc\x7F", "a?[31mb???c?");
-    /* These are C1 control characters. The last pair begins with U+009B, which starts a terminal
-     * control sequence. */
+    /* The text contains C1 control characters. The last of them is U+009F, and the one before is
+     * U+009B, which starts a terminal control sequence. */
     expect("\xC2\x80\xC2\x85\xC2\x9B"
            "1m\xC2\x9F",
            "???1m?");

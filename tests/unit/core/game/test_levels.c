@@ -122,8 +122,8 @@ static void test_the_record_and_the_scene_have_the_easiest_level_of_the_players(
     core.game.player[0].level = LEVEL_MASTER;
     core.game.player[1].level = LEVEL_EASY;
     assert_int_equal(core_round_record(&core).level, LEVEL_MASTER);
-    /* The level of the second player now counts, because this player takes part. The fish become
-     * calm. */
+    /* The level of the second player counts only from now on, because this player takes part
+     * now. */
     core.game.player[1].plays = 1;
     assert_int_equal(core_round_record(&core).level, LEVEL_EASY);
     core_scene(&core, &scene);

@@ -281,8 +281,8 @@ static void test_a_language_chosen_in_attract_lasts_for_one_cycle(void **state)
     press(INPUT_LANGUAGE);
     assert_int_equal(core.game.language, LANGUAGE_EN);
     steps(LANGUAGE_TICKS / 2u);
-    /* This press selects Japanese, the operator's language. No timeout is needed to restore it, so
-     * the language must stay. */
+    /* This press selects Japanese, which is the operator's language. After LANGUAGE_TICKS the
+     * language must therefore still be Japanese. */
     press(INPUT_LANGUAGE);
     assert_int_equal(core.game.language, LANGUAGE_JA);
     steps(2u * LANGUAGE_TICKS);

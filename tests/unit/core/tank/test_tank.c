@@ -217,7 +217,7 @@ struct dragged {
     /* Deepest overlap of two fish, deepest overlap of a fish with the ring, and largest jump of a
      * fish, all in m. */
     float body_m, ring_m, jump_m;
-    float lag_m; /* Largest distance by which fish held the disc back (m). */
+    float lag_m; /* Largest distance in m by which fish held the disc back. */
 };
 
 /* Returns the distance between a point and a disc, which stands for the ring and its paper. */

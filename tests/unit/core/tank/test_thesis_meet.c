@@ -142,7 +142,7 @@ static void test_3_4_the_fish_that_hits_from_the_side_passes_behind_in_90_percen
     /* The struck fish swims to the left and is hit on its left side. The other fish must turn
      * right, so that it passes behind the struck fish. */
     check_side(90.0f, -1.0f, -1.0f);
-    /* This case is the mirror image of the case before. */
+    /* The mirror image of this case must give the mirrored turns. */
     check_side(-90.0f, 1.0f, 1.0f);
 }
 

@@ -73,16 +73,16 @@ static void test_3_4_personal_space_never_shrinks_in_the_thesis(void **state)
         open_tank(&tank, TANK_PRESET_THESIS, counts[i], 1);
         assert_float_equal(0.05f * tank.space, 0.01f, 1e-7f);
     }
-    /* In the championship's tank, 1,000 spaces of 7 x 4 x 3 cm would fill 95 % of the water. The
-     * spaces must therefore be smaller there. */
+    /* In the championship's tank, 1,000 personal spaces of 7 x 4 x 3 cm would fill 95 % of the
+     * water. The spaces of this tank must therefore be smaller. */
     open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
     assert_true(tank.space < 0.19f && tank.space > 0.15f);
     open_tank(&tank, TANK_PRESET_OFFICIAL, 2000, 1);
     assert_true(tank.space < 0.15f && tank.space > 0.04f);
 }
 
-/* Places one fish ahead of another fish, and a third fish at its side. Returns the fish that the
- * middle one avoids, which must be the fish that it would touch first. */
+/* Places fish 1 ahead of fish 0, and fish 2 at the side of fish 0. Returns the fish that fish 0
+ * avoids, which must be the fish that it would touch first. */
 static fish_index gives_way_to(float ahead_gap_cm, float aside_gap_cm)
 {
     const struct tank_stage stage[] = {

@@ -125,8 +125,8 @@ static void test_3_1_a_fish_yaws_away_from_a_wall_when_it_hits_the_wall(void **s
             assert_true(fish->position_m.z - box_extent_m(&box).z > -0.325f - 1e-5f);
             tank_tick(t, tick, NULL, 0);
         }
-        /* The wall is in the direction -z. After 3 s there, the fish must face away from the
-         * wall. */
+        /* The wall is in the direction -z. After the fish has been at the wall for 3 s, it must
+         * face away from the wall. */
         assert_true(f_cos(fish->angles.yaw_rad) < 0.0f);
         const float z_m = fish->position_m.z;
         for (const uint32_t end = tick + CORE_TICK_HZ; tick < end; tick++) {

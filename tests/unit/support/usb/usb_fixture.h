@@ -71,7 +71,7 @@ static const uint8_t vendor_descriptor[] = {
         .descriptor_size = sizeof joystick_descriptor,                                             \
     }
 
-/* A Kingyo poi controller from another maker, whose USB vendor id it has. */
+/* A Kingyo poi controller that another maker builds, with that maker's USB vendor id. */
 static const struct usb_sim_kind own_poi = {
     .vendor = 0xcafe,
     .product = 0x0b01,

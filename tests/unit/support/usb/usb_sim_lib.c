@@ -183,8 +183,7 @@ int libusb_handle_events_timeout_completed(libusb_context *context, struct timev
     bus_note_call("libusb_handle_events from a strange thread");
     quieten();
     bus_call_back();
-    /* 1 if there are more events, because they are delayed or arrived during the callback;
-     * otherwise 0. */
+    /* 1 if events are left, which are delayed or arrived during the callback; otherwise 0. */
     const int has_more = bus.done_count > 0;
     if (has_more) {
         bus_ring(bus.context.fd);

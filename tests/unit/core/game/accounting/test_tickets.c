@@ -214,8 +214,8 @@ static void test_a_power_cut_at_any_tick_loses_one_ticket_at_most_and_repeats_no
     assert_true(missing_cuts > 0);
 }
 
-/* The kiosk started without its memory card, so `boot` (the number of the start) is 0. The card is
- * inserted later, but from one moment on it stores nothing more and also reports faults. */
+/* The kiosk starts without a memory card, so `boot` (the number of the start) is 0. A card is
+ * inserted later. After a while this card stores no more entries and sometimes reports faults. */
 static void test_a_late_card_that_stalls_dispenses_no_ticket_before_its_entry_is_saved(void **state)
 {
     (void)state;

@@ -81,8 +81,8 @@ static void bowl_is_as_shown(const struct vision *vision, uint32_t index)
 }
 
 /* Checks that the bot sees each cell of the paper as the scene shows it. Cells outside the ring are
- * not compared, because they are 0 for the bot, whereas the scene repeats the nearest paper
- * there. */
+ * not compared. These cells are 0 for the bot, whereas the scene shows the nearest paper in
+ * them. */
 static void paper_is_as_shown(const struct vision *vision)
 {
     const struct scene_poi *poi = &scene.poi[vision->player];

@@ -308,8 +308,8 @@ static void test_a_book_with_an_invalid_card_or_graph_is_rejected(void **state)
     assert_false(lab_book_is_valid(&book));
 }
 
-/* Each of these functions makes one value of a valid card invalid, as a disk error or a manipulated
- * file may do. */
+/* Each function that SPOIL() defines makes one value of a valid card invalid, as a disk error or a
+ * manipulated file may do. */
 #define SPOIL(name, what)                                                                          \
     static void name(struct species_card *c)                                                       \
     {                                                                                              \

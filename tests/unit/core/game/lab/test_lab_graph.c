@@ -102,8 +102,8 @@ static void test_a_required_knot_is_not_removed(void **state)
     assert_in_range(core.game.lab.edit.graph.knot_count, 3, card()->key_count);
 }
 
-/* The knots of several keys can be in one place. A press there must take the knot of the selected
- * key's curve. */
+/* Several keys may have knots at the same point of the page. A press on this point must take the
+ * knot of the selected key's curve. */
 static void test_the_selected_curve_has_priority_among_knots_in_one_place(void **state)
 {
     (void)state;

@@ -23,8 +23,8 @@ static void swim(struct fish *fish, uint32_t tick)
     swim_settle(fish, v3_sub(fish->position_m, before_m), fish_forward(fish));
 }
 
-/* Returns the first tick of a glide. The fish must have the `look` 0, which holds the random bits
- * of its individual traits. Its cycle of tail beats and a glide then has 84 ticks. */
+/* Returns the first tick of a glide. Requires a fish whose `look` (the random bits of its
+ * individual traits) is 0. For such a fish, a cycle of tail beats and one glide lasts 84 ticks. */
 static uint32_t glide_tick(const struct fish *fish)
 {
     uint32_t tick = 0;

@@ -108,7 +108,7 @@ static void test_a_small_image_never_looms(void **state)
     assert_int_equal(startle_of_disc(&disc, &far).cause, STARTLE_NONE);
 }
 
-/* A disc gives no stimulus in the air, nor at a low speed. */
+/* A disc causes no pressure in the air, and too little pressure at a low speed. */
 static void test_a_pressure_stimulus_grows_with_speed_squared_and_is_zero_in_air(void **state)
 {
     (void)state;

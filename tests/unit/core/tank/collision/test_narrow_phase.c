@@ -26,7 +26,8 @@ static uint8_t flags[COUNT_MAX];
 static float reach_m[COUNT_MAX];
 static struct narrow_phase_pair found[FOUND_MAX + NARROW_PHASE_BATCH + SIMD_LANES_MAX];
 static struct narrow_phase_pair others[FOUND_MAX + NARROW_PHASE_BATCH + SIMD_LANES_MAX];
-/* Index in `found` of each pair, plus 1; 0 if the pair was not found. */
+/* For each pair of fish, the index of the pair in `found` plus 1; 0 if the search did not find the
+ * pair. */
 static uint32_t listed[COUNT_MAX][COUNT_MAX];
 
 static float draw(uint32_t who, uint32_t purpose, float low, float high)
