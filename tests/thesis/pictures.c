@@ -77,7 +77,7 @@ struct encounter {
     const char *name, *what;
     uint8_t kind; /* Kind of encounter (enum meeting_kind). */
     float turn;   /* Side to which the first fish must turn: -1 is right, +1 is left. */
-    /* Number of the two fish that must give way: 1 or 2. */
+    /* Number of fish that must give way: one of the two fish, or both. */
     uint8_t yields;
 };
 

@@ -35,7 +35,7 @@ static void test_each_control_character_becomes_one_question_mark(void **state)
 {
     (void)state;
     expect("a\033[31mb\r\n\tc\x7F", "a?[31mb???c?");
-    /* The text contains C1 control characters. The last of them is U+009F, and the one before is
+    /* The text contains C1 control characters, which start with the byte 0xC2. One of them is
      * U+009B, which starts a terminal control sequence. */
     expect("\xC2\x80\xC2\x85\xC2\x9B"
            "1m\xC2\x9F",

@@ -47,7 +47,8 @@ static void leave(enum left_behind what)
 
 /* ---- Phases that must time out -------------------------------------------------------------- */
 
-static uint32_t seen; /* Phases in which the kiosk was abandoned during the test, as a bit mask. */
+static uint32_t seen; /* Bit mask of the phases that occurred while the kiosk returned to attract
+                         mode. */
 
 static void expect_attract_by_itself(enum left_behind what, const char *where)
 {

@@ -99,8 +99,8 @@ static float apart_m(const struct box *a, const struct box *b)
     return v3_length(v3_sub(in_a, in_b));
 }
 
-/* Returns by how much a pair of fish is nearer than its predicted gap, at most over all pairs. Only
- * pairs with a positive predicted gap count. */
+/* Returns the largest distance by which a pair of fish is nearer than its predicted gap. Only pairs
+ * with a positive predicted gap count. */
 static float worst_violation_m(const struct broad_phase *broad_phase)
 {
     float worst_m = 0.0f;

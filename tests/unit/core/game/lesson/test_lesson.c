@@ -1,4 +1,5 @@
-/* test_lesson.c -- checks which fish the lessons mark, and when the arrow points to the bowl. */
+/* test_lesson.c -- checks the lessons, which are aids in the picture: a mark on a fish that is easy
+ * to catch, and an arrow from a caught fish to the bowl. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -44,7 +45,8 @@ static int setup(void **state)
     return 0;
 }
 
-/* Runs only the lessons for `ticks` ticks. Returns what the lesson of `player` then shows. */
+/* Runs only lesson_tick() and not the whole core, for `ticks` ticks. Returns what the lesson of the
+ * player `player` shows afterwards. */
 static const struct scene_lesson *lesson_after(uint32_t ticks, uint32_t player)
 {
     for (uint32_t i = 0; i < ticks; i++) {
@@ -103,7 +105,8 @@ static void test_a_mark_stays_until_the_fish_is_clearly_faster(void **state)
 {
     (void)state;
     assert_true(is_marked());
-    core.world.tank.fish[0].velocity_m_s.x = 0.06f; /* Too fast for a new mark. */
+    /* At this speed the fish gets no new mark, but keeps its mark. */
+    core.world.tank.fish[0].velocity_m_s.x = 0.06f;
     assert_true(is_marked());
     core.world.tank.fish[0].velocity_m_s.x = 0.09f;
     assert_false(is_marked());
@@ -123,7 +126,7 @@ static void test_a_mark_under_water_stays_with_its_fish(void **state)
     core.world.tank.fish[1].position_m = v3(-0.02f, -0.02f, 0.0f);
     core.world.poi[0].immersed = 1.0f;
     assert_int_equal(lesson_after(600, 0)->fish, 0);
-    /* After the dip an easier fish replaces the fish that was not caught. */
+    /* The dip is over and has not caught the fish. An easier fish must now get the mark. */
     core.world.poi[0].immersed = 0.0f;
     assert_int_equal(lesson_after(13, 0)->fish, 1);
 }
@@ -135,8 +138,10 @@ static void test_two_players_have_different_fish_on_their_own_sides(void **state
     core.world.poi[1].position_m = v3(-0.1f, 0.06f, 0.0f);
     core.world.tank.fish[1].position_m = v3(0.1f, -0.02f, 0.0f);
     assert_int_equal(lesson_after(13, 0)->fish, 0);
-    assert_int_equal(lesson_after(13, 1)->fish, 1); /* Fish 0 is nearer to the other bowl. */
-    /* Both bowls are equally far from fish 2, which only one of both players gets. */
+    /* Fish 0 is nearer to the bowl of player 0, so the mark of player 1 is on fish 1. */
+    assert_int_equal(lesson_after(13, 1)->fish, 1);
+    /* Only fish 2 is easy now, and it is equally far from both bowls. Only one of the two players
+     * may get a mark on it. */
     core.world.tank.fish[0].position_m.y = core.world.tank.fish[1].position_m.y = -0.1f;
     core.world.tank.fish[2].position_m = v3(0.0f, -0.02f, 0.0f);
     assert_int_equal(lesson_after(13, 0)->fish, 2);
@@ -178,7 +183,9 @@ static void test_the_arrow_points_to_the_bowl_while_a_fish_lies_on_the_paper(voi
     assert_false(lesson_after(13, 0)->points_to_bowl);
     poi->carried_count = 1;
     assert_true(lesson_after(13, 0)->points_to_bowl);
-    assert_false(shown.marks_fish); /* One aid at a time. */
+    /* The arrow is shown, so the mark on a fish is hidden: the picture has only one aid at a
+     * time. */
+    assert_false(shown.marks_fish);
     poi->immersed = 0.5f;
     assert_false(lesson_after(1, 0)->points_to_bowl);
     poi->immersed = 0.0f;

@@ -278,7 +278,7 @@ static void test_whole_paper_reaches_the_ring_and_a_bare_ring_has_none(void **st
         sheet.state[cell] = sheet.state[cell] == CELL_PAPER ? CELL_HOLE : sheet.state[cell];
     }
     const uint32_t middle = SHEET_SIDE / 2u * SHEET_SIDE + SHEET_SIDE / 2u;
-    /* Leaves only one cell of paper, in the middle. The narrow rests of paper at the ring do not
+    /* Leaves only one cell of paper, in the middle. The narrow remains of paper at the ring do not
      * count. */
     sheet.state[middle] = CELL_PAPER;
     sheet.paper_cells = 1;
