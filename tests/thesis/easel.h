@@ -15,9 +15,9 @@ enum easel_camera {
     CAMERA_CENTRE, /* The middle of the tank from above. */
     /* View through the side wall. In this view only fish and water are drawn. */
     CAMERA_SIDE,
-    CAMERA_SLANT, /* The whole tank from 60 degrees above the water. */
-    CAMERA_SHADE, /* The middle of the tank from above, with the shadow of a fan. */
-    CAMERA_NOSES, /* View near the surface, where fish breathe with their snouts up. */
+    CAMERA_SLANT,   /* The whole tank from 60 degrees above the water. */
+    CAMERA_SHADE,   /* The middle of the tank from above, with the shadow of a fan. */
+    CAMERA_NOSES,   /* View near the surface, where fish breathe with their snouts up. */
     CAMERA_MEETING, /* Close view of `easel_shot.look_at_m` from above. */
 };
 
