@@ -31,8 +31,8 @@
  * pixel shows 0.8 mm of the tank. The smaller value ensures that no visible motion is missed. */
 #define PIXEL_M 0.0006f
 
-/* State of a simulated kiosk, which a trial copies. After a copy, wire() must set the pointers
- * again that point into the struct. */
+/* State of a simulated kiosk, which a trial copies. Some pointers of a copy still point into the
+ * original, so wire() must set them again. */
 struct booth {
     struct clock_sim clock;
     struct display_sim display;

@@ -129,8 +129,8 @@ static void send_gamepad(struct device *device, const struct player_command *com
 
 static float tremor_m(const struct device *device, uint32_t axis)
 {
-    /* Number of reports between two random points of the tremor, because a physical poi sends two
-     * reports per frame. */
+    /* Number of reports between two random points of the tremor. A physical poi sends two reports
+     * per frame. */
     const uint32_t span = 2u * PLAYER_HZ / TREMOR_HZ;
     const struct rng_key from = { device->seed, device->report_count / span, axis, RNG_BOT_TREMOR };
     const struct rng_key to = { from.seed, from.tick + 1u, axis, RNG_BOT_TREMOR };

@@ -1,9 +1,9 @@
 /* pad.c -- fuzz target: arbitrary events of a gamepad or of a touch screen. The decoded pose must
  * be finite.
  *
- * Input: a byte that selects the device (an even value selects the gamepad), and events. A gamepad
- * event is a byte of time, a byte for its kind, and the bytes of that kind. A touch event is a byte
- * each of time, kind, finger, x and y. */
+ * The input is a byte that selects the device (an even value selects the gamepad), and events. A
+ * gamepad event is a byte of time, a byte for the kind of the event, and as many bytes as this kind
+ * needs. A touch event is one byte each for time, kind, finger, x and y. */
 #include <string.h>
 
 #include "drivers/gamepad/gamepad_decoder.h"

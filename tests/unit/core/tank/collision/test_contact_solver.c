@@ -258,8 +258,8 @@ static void test_simd_lanes_equal_the_scalar_form_at_walls_and_a_poi(void **stat
 }
 
 /* Moves and turns every fish at random, forty times. Two fish that did not overlap before must
- * never overlap afterwards. A few pairs overlap at the start, so a pair is checked only from the
- * moment at which it is separate. */
+ * never overlap afterwards. A few pairs overlap at the start, so a pair is checked only after its
+ * fish were separate once. */
 static void test_fish_without_an_overlap_stay_without_one(void **state)
 {
     (void)state;
