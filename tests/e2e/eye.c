@@ -1,18 +1,19 @@
-/* eye.c -- implementation of eye.h: reads pictures of the window and finds fish by their colour. */
+/* eye.c -- reads pictures of the kiosk's window and finds fish by their colour, as eye.h
+ * declares. */
 #include "eye.h"
 
 #include <stdlib.h>
 
 #include <X11/Xutil.h>
 
-#define BODY_PX 12 /* Half the side of a square, in pixels, that a small fish fills. */
-/* Half the side of a larger square, in pixels. A fish counts as alone if at least half of the warm
- * pixels in this square are its own. */
+#define BODY_PX 12 /* Half the side of the square, in pixels, that a small fish fills. */
+/* Half the side of a larger square around a fish, in pixels. The fish counts as alone if at least
+ * half of the warm pixels in this square belong to it. */
 #define ALONE_PX 34
-/* Number of warm pixels of the smallest fish that is tried. */
+/* Smallest number of warm pixels of a fish that the test tries to scoop. */
 #define RED_MIN 60
-/* Number of warm pixels of the largest fish that is tried. The tail of a larger fish lies on the
- * ring, and its slaps tear the paper. */
+/* Largest number of warm pixels of a fish that the test tries to scoop. The tail of a larger fish
+ * lies on the ring and tears the paper with its slaps. */
 #define RED_MAX 450
 
 int eye_open(struct eye *eye, const char *window)
@@ -21,14 +22,14 @@ int eye_open(struct eye *eye, const char *window)
     return eye->display != NULL && (eye->window = strtoul(window, NULL, 0)) != 0;
 }
 
-/* Returns 1 for gold, orange and red pixels. Water, reflections, white and the pink of a ring do
- * not count. */
+/* Returns 1 for a gold, orange or red pixel, as goldfish have. Water, reflections, white and the
+ * pink of a ring do not count. */
 static int is_warm(const uint8_t *bgr)
 {
     return bgr[2] > 110 && bgr[2] > bgr[1] + 30 && bgr[2] > bgr[0] + 50 && bgr[1] + 15 > bgr[0];
 }
 
-/* Reads a rectangle of the window. Pixels outside the window are black. */
+/* Reads the rectangle `wanted` of the window. Pixels outside the window become black. */
 int eye_capture(struct eye *eye, struct rect wanted)
 {
     const struct rect r = {
@@ -85,7 +86,7 @@ struct blob eye_follow(const struct eye *eye, float x, float y)
     return blob;
 }
 
-/* Returns the squared distance in pixels from `blob` to the nearest fish in `list`. */
+/* Returns the squared distance from `blob` to the nearest fish in `list`, in square pixels. */
 static float nearest(const struct blob *list, int count, const struct blob *blob)
 {
     float least = 1e9f;

@@ -10,42 +10,43 @@
 #define SCREEN_HEIGHT 720
 
 struct rect {
-    int left, top, right, bottom; /* Edges in pixels. The right and the bottom edge are
-                                     exclusive. */
+    int left, top, right, bottom; /* Edges of a rectangle in pixels. `right` and `bottom` are the
+                                     first column and row outside. */
 };
 
 struct eye {
     Display *display;
     Window window;
-    struct rect seen; /* Rectangle that the last eye_capture() has read. */
+    struct rect seen; /* Rectangle that the last call of eye_capture() has read. */
     uint8_t warm[SCREEN_HEIGHT][SCREEN_WIDTH];
     uint8_t blue[SCREEN_HEIGHT][SCREEN_WIDTH];
 };
 
-/* A group of warm pixels: centre, number, and the lowest blue value. Water is blue, so a deeper
- * fish has a higher blue value. */
+/* A group of warm pixels: their centre (x, y), their number, and their lowest blue value. Water is
+ * blue, so a deeper fish has a higher blue value. */
 struct blob {
     float x, y;
     int count, blue;
 };
 
-/* Opens the window. `window` is a number, as xdotool prints it, on the screen that DISPLAY names.
- * Returns 1 on success. */
+/* Opens the window with the number `window`, as xdotool prints it, on the screen that the variable
+ * DISPLAY names. Returns 1 on success. */
 int eye_open(struct eye *eye, const char *window);
 
-/* Reads a picture of a part of the window. Returns 0 if the window no longer exists. */
+/* Reads the picture of the rectangle `wanted` of the window. Returns 0 if the window no longer
+ * exists. */
 int eye_capture(struct eye *eye, struct rect wanted);
 
 /* Returns the warm pixels in a square around the given centre. `reach_px` is half the side of the
- * square. */
+ * square in pixels. */
 struct blob eye_blob(const struct eye *eye, float centre_x, float centre_y, int reach_px);
 
-/* Finds again the fish that was near (x, y) in the previous picture. Moves step by step to the
- * centre of the warm pixels. */
+/* Finds the fish again that was near (x, y) in the previous picture. The search moves step by step
+ * to the centre of the warm pixels. */
 struct blob eye_follow(const struct eye *eye, float x, float y);
 
-/* Finds fish that are neither too large nor close to others. Writes at most `count_max` of them to
- * `list` and returns their number. */
+/* Finds the fish that are neither too large nor too close to other fish. Writes at most `count_max`
+ * of them to `list` and returns their number. */
 int eye_find(const struct eye *eye, struct blob *list, int count_max);
 
 #endif

@@ -1,12 +1,12 @@
-/* hand.c -- makes one attempt to scoop a goldfish, as a player does: observe, follow, scoop and
- * carry.
+/* hand.c -- makes one attempt to scoop a goldfish, as a player does: observes the fish, follows one
+ * of them, scoops it and carries it to the bowl.
  *
- * Usage: hand WINDOW. WINDOW is a number, as xdotool prints it.
+ * Usage: hand WINDOW. WINDOW is a window number, as xdotool prints it.
  *
- * The program knows only the pictures of the window and the position of the bowl. It moves the X
- * server's pointer as a mouse does, and prints its actions on standard output. Returns exit status
- * 0 if it carried something to the bowl, 1 if the fish escaped or no fish was suitable, and 2 if
- * the window cannot be read. */
+ * The program uses only the pictures of the window and the position of the bowl. The program moves
+ * the X server's pointer as a mouse does, and prints its actions on standard output. Returns exit
+ * status 0 if it carried something to the bowl, 1 if the fish escaped or no fish was suitable, and
+ * 2 if the window cannot be read. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,28 +21,29 @@
 
 /* Time between two pictures in seconds. The kiosk shows at most 60 frames per second. */
 #define LOOK_S 0.03
-/* Number of pictures in which the fish are observed before one of them is chosen. */
+/* Number of pictures in which the fish are observed before one is chosen. */
 #define CALM_LOOKS 12
 #define CHOICE_MAX 40
-/* Weight of the blue value in the choice of a fish. One unit of blue (of 255) counts like a speed
- * of this many pixels per second. A deeper fish is bluer. A fish that is too deep for the ring has
- * a blue value 10 to 20 higher than a fish within reach. */
+/* Weight of the blue value in the choice of a fish, because a deeper fish is bluer. One unit of
+ * blue (of 255) counts as much as a speed of this many pixels per second. The blue value of a fish
+ * that is too deep for the ring is 10 to 20 higher than that of a fish within reach. */
 #define BLUE_PX_S 4.0f
-/* Highest blue value of a fish that lies on the paper. A fish on the paper has about 4, a fish seen
- * through a tear in the paper 25, and a fish under the paper 80 to 150. */
+/* Highest blue value of a fish that lies on the paper. A fish on the paper has a blue value of
+ * about 4, a fish that is seen through a tear 25, and a fish under the paper 80 to 150. */
 #define PALE_BLUE 40
-/* Distance in pixels between the fish and the point where the ring enters the water, so that the
- * ring does not come down on the fish. The radius of the ring is 50 px. */
+/* Distance in pixels between the fish and the point at which the ring enters the water. The ring
+ * has a radius of 50 pixels and must not come down on the fish. */
 #define ASIDE_PX 90.0f
-#define HOVER_PX_S 480.0f /* Speed of the ring in the air. */
-#define UNDER_PX_S 150.0f /* Speed of the ring under water. A higher speed tears the paper. */
-#define CARRY_PX_S 330.0f /* Speed of the ring while it carries a fish. */
+#define HOVER_PX_S 480.0f /* Speed of the ring in the air, in pixels per second. */
+/* Speed of the ring under water, in pixels per second. A higher speed tears the paper. */
+#define UNDER_PX_S 150.0f
+#define CARRY_PX_S 330.0f /* Speed of the ring while it carries a fish, in pixels per second. */
 
 struct point {
     float x, y;
 };
 
-/* The followed fish: last position, time of the last picture, and velocity. */
+/* The fish that is followed: its last position, its velocity, and the time of the last picture. */
 struct track {
     struct point at, speed;
     double seen_s;
@@ -121,7 +122,8 @@ static void button(int is_down)
     XFlush(eye.display);
 }
 
-/* Returns the position where the fish should be now, by its last position and velocity. */
+/* Returns the position at which the followed fish should be now, computed from its last position
+ * and its velocity. */
 static struct point expected(const struct track *track)
 {
     const float since_s = (float)fmin(now_s() - track->seen_s, 0.2);
@@ -145,8 +147,7 @@ static int follow(struct track *track)
         return 0;
     }
     const struct point at = { blob.x, blob.y };
-    /* Weight of the newest velocity in the moving average, which covers about a quarter of a
-     * second. */
+    /* Weight of the newest velocity in a moving average over about a quarter of a second. */
     const float trust = fminf(1.0f, passed_s / 0.25f);
     track->speed.x += trust * ((at.x - track->at.x) / passed_s - track->speed.x);
     track->speed.y += trust * ((at.y - track->at.y) / passed_s - track->speed.y);
@@ -200,8 +201,9 @@ static int choose(struct track *best)
     return least < 1e8f;
 }
 
-/* Moves the pointer to a point `aside_px` beside the fish at the speed `px_s`, and follows the fish
- * meanwhile. Stops on arrival or after `limit_s`. Returns 0 if the fish escaped. */
+/* Moves the pointer at the speed `px_s` to a point `aside_px` beside the fish, and follows the fish
+ * meanwhile. Stops when the pointer arrives or `limit_s` has passed. Returns 0 if the fish
+ * escaped. */
 static int approach(struct track *track, float aside_px, float px_s, double limit_s)
 {
     const double begin_s = now_s();
@@ -221,8 +223,8 @@ static int approach(struct track *track, float aside_px, float px_s, double limi
     return 1;
 }
 
-/* Returns 1 if a fish lies on the paper. A fish under the paper does not count: seen through the
- * paper it is pale, so its blue value is above PALE_BLUE. */
+/* Returns 1 if a fish lies on the paper. A fish under the paper does not count. Seen through the
+ * paper, the fish is pale, so its blue value is above PALE_BLUE. */
 static int something_lies_on_the_paper(void)
 {
     const struct rect around = { (int)pointer.x - 60, (int)pointer.y - 60, (int)pointer.x + 60,

@@ -1,5 +1,5 @@
-/* books.c -- computes the sums of ledger entries without using the store's code, and compares them
- * with the sums that the store loads. */
+/* books.c -- computes the totals of ledger entries without the code of the store, and compares them
+ * with the totals that the store loads. */
 #include "tests/power/books.h"
 
 #include <stdio.h>
@@ -35,7 +35,7 @@ void books_add(struct books *books, const struct ledger_entry *entry)
     ranking_note(&books->ranking, entry);
 }
 
-/* ---- Reading the database file -------------------------------------------------------------- */
+/* ---- Reading the database without the store ------------------------------------------------- */
 
 static int64_t query_number(sqlite3 *db, const char *query, int *code)
 {
@@ -101,7 +101,7 @@ int books_read(const char *path, uint32_t replay_id, struct books_file *out)
     return code;
 }
 
-/* ---- Comparing accounts --------------------------------------------------------------------- */
+/* ---- Comparing the totals ------------------------------------------------------------------- */
 
 static int differs(char why[BOOKS_WHY_SIZE], const char *what, int64_t is, int64_t should)
 {

@@ -3,10 +3,11 @@
  * Usage: card [SECONDS]
  *
  * Runs the real frame loop, core and store in real time at 60 frames per second. Coins are inserted
- * and rounds begin while the simulated card goes through several fault modes of SECONDS each
- * (default 6). For each mode, prints the longest frame, the dropped ticks, the times at which the
- * coin slot closed and opened again, and the number of entries that are still queued. Returns exit
- * status 1 if a tick was dropped, or if an accepted coin is not in the store at the end. */
+ * and rounds begin, while the simulated card goes through several fault modes of SECONDS each
+ * (default 6). For each mode, the program prints the longest frame, the dropped ticks, and the
+ * times at which the coin slot closed and opened again. The number of entries that are still queued
+ * is printed too. Returns exit status 1 if a tick was dropped, or if an accepted coin is not in the
+ * store at the end. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,8 +51,8 @@ static struct buttons_sim buttons;
 static struct pointer_sim poi;
 static struct button_event events[EVENTS_MAX];
 
-/* Fills the script of button events: a coin every 0.7 s, and START from time to time. Coins are
- * inserted only while the coin slot is open. */
+/* Fills the script of button events with a coin every 0.7 s and a press of START from time to time.
+ * A coin of the script is inserted only while the coin slot is open. */
 static void fill_script(uint64_t begin_ns, uint64_t length_ns)
 {
     uint32_t count = 0;
@@ -93,8 +94,8 @@ static int open_stall(const char *folder, uint32_t mood_s)
 
 struct seen {
     uint64_t longest_ns, dropped;
-    /* Seconds from the start of the mode until the coin slot first closed, and until it opened
-     * again. A negative value means that this did not happen. */
+    /* Seconds from the start of the fault mode until the coin slot first closed, and until it
+     * opened again. A value below 0 means that this did not happen. */
     double closed_s, open_s;
     uint32_t waiting_max, coins;
 };

@@ -1,5 +1,5 @@
-/* cutter.c -- simulates power cuts, opens the store on the remaining files and checks the loaded
- * state. */
+/* cutter.c -- simulates power cuts. After each cut, opens the store on the files that are left, and
+ * checks the loaded state. */
 #include "tests/power/cutter.h"
 
 #include <stdio.h>
@@ -14,8 +14,9 @@
 #include "tests/power/disk.h"
 #include "tests/power/go_on.h"
 
-/* The first of every SECOND_EACH cuts is followed by a second cut during the recovery. SECOND_EACH
- * is prime, so that in time every kind of first cut (enum disk_luck) gets a second one. */
+/* After one of SECOND_EACH cuts, the power is cut a second time while the store recovers.
+ * SECOND_EACH is prime, so that in time each kind of first cut (enum disk_luck) gets a second
+ * one. */
 #define SECOND_EACH 149u
 #define GO_ON_EACH 100u
 #define PATH_SIZE 300u
@@ -32,7 +33,7 @@ void tally_complain(struct tally *tally, uint64_t *count, const char *where, con
     }
 }
 
-/* Opens the store in `folder`, as the kiosk does at its next start. */
+/* Opens the store in `folder` and loads its state, as the kiosk does when it starts. */
 static int wake(const char *folder, struct persistent_state *memory, char why[BOOKS_WHY_SIZE])
 {
     memset(memory, 0, sizeof *memory);
@@ -49,8 +50,8 @@ static int wake(const char *folder, struct persistent_state *memory, char why[BO
     return result == HAL_OK && !is_fresh ? 0 : -1;
 }
 
-/* Returns 1 if the round is on a leaderboard. Only ranked rounds must have a replay, because the
- * store may delete the replay of any other round. */
+/* Returns 1 if the round is on a leaderboard. Only such a round must have a replay, because the
+ * store may delete all other replays. */
 static int is_ranked(const struct ranking *ranking, uint32_t round_id)
 {
     for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
@@ -62,8 +63,8 @@ static int is_ranked(const struct ranking *ranking, uint32_t round_id)
     return 0;
 }
 
-/* Compares the ticket counts. The ledger must have removed each ticket whose dispenser pulse began,
- * and at most one ticket more. */
+/* Compares the ticket counts of the ledger and the dispenser. The ledger must have removed each
+ * ticket whose dispenser pulse has begun, and at most one ticket more. */
 static int tickets_differ(const struct persistent_state *memory, const struct promise *promise,
                           struct tally *tally, char why[BOOKS_WHY_SIZE])
 {
@@ -111,8 +112,8 @@ void cutter_check(const struct cutter *cutter, struct tally *tally, const char *
     }
 }
 
-/* Simulates a second power cut while the store opens the files that the first cut left. Repeats
- * this for each file operation of the opening. */
+/* The store opens the files that a first power cut has left. This function cuts the power a second
+ * time after each file operation that the store makes meanwhile. */
 static void cut_again(const struct cutter *cutter, struct tally *tally, const char *folder,
                       const char *folder_2, const struct promise *promise, const char *where)
 {
@@ -161,8 +162,8 @@ void cutter_update_promise(struct promise *promise, const struct tape_op *op)
     }
 }
 
-/* Two working folders of one worker process: for the first cut, and for a second cut during
- * recovery. */
+/* Two working folders of a process that simulates cuts: one for the first cut, and one for a second
+ * cut. */
 struct bench {
     char folder[PATH_SIZE], folder_2[PATH_SIZE];
 };
@@ -183,8 +184,8 @@ static void cut_once(const struct cutter *cutter, const struct disk *disk, size_
     cutter_check(cutter, tally, bench->folder, promise, where);
 }
 
-/* Runs one of the parallel jobs. Every job applies all file operations of the tape, but makes only
- * its own part of the cuts. */
+/* Simulates the cuts of one of the parallel jobs. Every job applies all file operations of the
+ * tape, but makes only its own part of the cuts. */
 static void work(const struct cutter *cutter, uint32_t job, struct tally *tally)
 {
     struct disk disk;

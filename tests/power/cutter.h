@@ -1,6 +1,8 @@
-/* cutter.h -- simulates power cuts after each file operation of a tape. A tape is the recorded list
- * of the file operations of a run (tape.h). After each cut the store opens the remaining files. The
- * test compares the loaded state with sums that it computed without the store (books.h). */
+/* cutter.h -- simulates power cuts after each file operation of a tape, which is the recorded list
+ * of the file operations of a run (tape.h).
+ *
+ * After each cut, the store opens the files that are left. The test compares the loaded state with
+ * totals that it computed without the store (books.h). */
 #ifndef KINGYO_TESTS_POWER_CUTTER_H
 #define KINGYO_TESTS_POWER_CUTTER_H
 
@@ -9,60 +11,64 @@
 #include "tests/power/books.h"
 #include "tests/power/disk.h"
 
-/* Counts of cuts and of violated promises. Each worker process writes its own tally in shared
- * memory. */
+/* Counts of simulated cuts, and of the faults that were found after them. Each worker process
+ * writes its own counts to shared memory. */
 struct tally {
     uint64_t cuts, second_cuts;
     uint64_t by_luck[DISK_LUCK_COUNT];
     uint64_t unopenable, lost, ghosts, differing, replays_lost, edits_lost;
-    uint64_t mornings; /* Number of cuts after which the test continued to play (go_on.h). */
+    uint64_t mornings; /* Number of cuts after which the test also continued to play (go_on.h). */
     /* Number of tickets that were removed from the ledger although their dispenser pulse had not
      * begun. */
     uint64_t tickets_missing;
     /* Number of cuts after which the disk had more entries than the store had reported as
-     * committed. */
+     * committed. This is allowed. */
     uint64_t ahead;
-    uint64_t done; /* Progress: number of operations of the tape whose cuts are all done. */
+    uint64_t done; /* Number of operations of the tape for which all cuts are done, to show the
+                      progress. */
     char first[BOOKS_WHY_SIZE + 100];
 };
 
 struct cutter {
     const struct tape *tape;
-    /* books[n] has the totals (coins, rounds, balance) after the ledger entries 1 to n. */
+    /* Totals of the ledger entries (coins, rounds, balance). books[n] has the totals of the entries
+     * 1 to n. */
     const struct books *books;
-    const char *folder; /* Folder in which the test writes the files after a cut. */
-    uint32_t ways;      /* Number of different power cuts to simulate after each operation. */
+    const char *folder; /* Folder for the files that a simulated cut leaves. */
+    uint32_t ways;      /* Number of different power cuts after each file operation. */
     uint32_t seed, jobs;
 };
 
-/* Data that the store must not lose in a power cut: the newest ledger entry, replay and morph graph
- * that were reported as committed (`acked`). Newer data up to `kept` was passed to the store and
- * may be lost. */
+/* Data that the store must still have after a power cut: the newest ledger entry, replay and morph
+ * graph that the store reported as committed (`acked`). Later entries and graphs, up to `kept`,
+ * were passed to the store but may be lost. */
 struct promise {
     uint32_t acked, kept, replay, edit_acked, edit_kept;
-    uint32_t tickets; /* Number of tickets whose pulse had begun. */
+    uint32_t tickets; /* Number of tickets whose dispenser pulse had begun. */
 };
 
-/* Updates the promise if `op` is a mark. A mark is a note that the test records between two file
- * operations. */
+/* Updates `promise` if `op` is a mark instead of a file operation. A mark is a note of the test,
+ * for example that an entry was committed. */
 void cutter_update_promise(struct promise *promise, const struct tape_op *op);
 
-/* Opens the files that a cut left in `folder`, as the kiosk does at its next start, and counts each
- * violated promise. `where` describes the cut in error messages. */
+/* Opens the files that a cut left in `folder`, as the kiosk does at its next start. Counts a fault
+ * in `tally` for each part of `promise` that is not kept. `where` describes the cut in error
+ * messages. */
 void cutter_check(const struct cutter *cutter, struct tally *tally, const char *folder,
                   const struct promise *promise, const char *where);
 
-/* Increments `count`, which is a counter of `tally`. Stores the message of the first fault. */
+/* Increments `count`, which must be a counter in `tally`. If this is the first fault, also stores
+ * its message. */
 void tally_complain(struct tally *tally, uint64_t *count, const char *where, const char *why);
 /* Adds the counts of `part` to `sum`. */
 void tally_add(struct tally *sum, const struct tally *part);
 
-/* Returns 1 if power cuts are simulated after this operation. No cut is simulated after a mark,
- * because a mark changes no file. */
+/* Returns 1 if the power is cut after this operation. A mark changes no file, so the function
+ * returns 0 for it. */
 int cutter_is_point(const struct tape_op *op);
 
-/* Runs all cuts in several processes, adds the results to `sum`, and prints the progress on a
- * terminal. Returns 0, or -1 if a process died. */
+/* Simulates all cuts in several processes and adds their counts to `sum`. Prints the progress if
+ * the output is a terminal. Returns 0, or -1 if a process died. */
 int cutter_run(const struct cutter *cutter, struct tally *sum);
 
 #endif

@@ -1,5 +1,5 @@
-/* disk.c -- applies recorded file operations (the tape of tape.h) to a simulated disk, and tracks
- * which of them are not yet durable. */
+/* disk.c -- applies recorded file operations to a simulated disk, and tracks which of them are not
+ * durable yet. */
 #include "tests/power/disk.h"
 
 #include <dirent.h>
@@ -171,8 +171,8 @@ static int is_in(const struct tape_op *op, const char *folder)
     return strlen(folder) == length && strncmp(op->name, folder, length) == 0;
 }
 
-/* Applies a failed sync: none, a random half, or all of the file's unsynced writes reach the disk.
- * The other writes are lost, because Linux then treats their pages as clean. */
+/* Applies a failed sync of a file. None, a random half, or all of the unsynced writes reach the
+ * disk. The other writes are lost, because Linux then treats their pages as clean. */
 static void lose(struct disk *disk, size_t index)
 {
     const struct tape_op *sync = &disk->tape->ops[index];
@@ -190,8 +190,8 @@ static void lose(struct disk *disk, size_t index)
     disk->pending_count = left;
 }
 
-/* Applies a successful sync: makes the pending operations of its file or folder durable and removes
- * them from the pending list. */
+/* Applies a successful sync of a file or a folder. All pending operations on it become durable and
+ * are no longer pending. */
 static void make_safe(struct disk *disk, const struct tape_op *sync)
 {
     size_t left = 0;

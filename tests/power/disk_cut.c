@@ -16,7 +16,7 @@ struct cut {
     enum disk_luck luck;
     uint64_t seed;
     uint32_t draw;
-    size_t last_write; /* Index on the tape of the last write that no sync has made durable. */
+    size_t last_write; /* Index of the last write on the tape that no sync has made durable. */
 };
 
 static uint32_t draw(struct cut *cut)
@@ -25,7 +25,7 @@ static uint32_t draw(struct cut *cut)
                                      RNG_TEST });
 }
 
-/* Returns a random number 0 .. 7. */
+/* Returns a random number from 0 to 7. */
 static uint32_t eighth(struct cut *cut)
 {
     return draw(cut) >> 29;
@@ -49,8 +49,8 @@ static int survives(struct cut *cut, size_t op)
     }
 }
 
-/* Applies a write to those sectors that survive the power cut. A write that begins within a sector
- * changes only a part of that sector. */
+/* Applies a write to those sectors that survive the power cut. If the write begins within a sector,
+ * it changes only a part of that sector. */
 static void cut_write(struct cut *cut, size_t index, struct disk_file *file)
 {
     const struct tape_op *op = &cut->disk->tape->ops[index];
@@ -93,7 +93,8 @@ static void cut_file(struct cut *cut, uint32_t number, struct disk_file *out)
     }
 }
 
-/* Applies the durable names and a random number of the oldest pending name operations. */
+/* Applies all durable names. Also applies a random number of the pending name operations, beginning
+ * with the oldest one. */
 static void cut_names(struct cut *cut, struct disk *names)
 {
     const struct disk *disk = cut->disk;
@@ -133,7 +134,7 @@ static int empty(const char *folder)
     return 1;
 }
 
-/* Creates the subfolder of `name` if the name contains a slash. */
+/* If `name` contains a slash, creates the subfolder that it names. */
 static void make_folder(const char *folder, const char *name)
 {
     char path[512];

@@ -4,15 +4,15 @@
 
 #include "tests/power/disk.h"
 
-/* Ends the program if `got` is null because no memory is left. */
+/* Ends the program if `got` is null, which means that an allocation failed. */
 void disk_need(const void *got);
 
-/* Grows the file to at least `size` bytes. New bytes are zeros. */
+/* Extends the file to at least `size` bytes. The new bytes are zeros. */
 void disk_grow(struct disk_file *file, size_t size);
 
 /* Returns 1 if the operation creates, renames or deletes a file. */
 int disk_is_of_names(const struct tape_op *op);
-/* Applies a name operation to the durable names. */
+/* Applies an operation that creates, renames or deletes a file to the durable names. */
 void disk_apply_names(struct disk *disk, const struct tape_op *op);
 
 /* Returns 1 if the operation writes or truncates a file. */

@@ -1,4 +1,4 @@
-/* fault.c -- draws plans of failing file calls from a seed. */
+/* fault.c -- generates random plans that define which file calls fail. */
 #include "tests/power/fault.h"
 
 #include <errno.h>
@@ -12,8 +12,8 @@ const char *const fault_names[FAULT_CALL_COUNT] = {
     [FAULT_PWRITE] = "pwrite", [FAULT_FTRUNCATE] = "ftruncate", [FAULT_RENAME] = "rename",
 };
 
-/* Approximate number of calls that a store makes in ten busy seconds. The first failing call is
- * drawn between 0 and this number, so that most plans take effect within ten seconds. */
+/* Approximate number of calls of each kind that a store makes in ten busy seconds. The first call
+ * that fails is drawn below this number, so that most plans take effect within ten seconds. */
 static const uint32_t calls_usual[FAULT_CALL_COUNT] = {
     [FAULT_FSYNC] = 24,   [FAULT_FDATASYNC] = 60, [FAULT_WRITE] = 8,
     [FAULT_PWRITE] = 320, [FAULT_FTRUNCATE] = 2,  [FAULT_RENAME] = 8,

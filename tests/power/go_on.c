@@ -1,4 +1,5 @@
-/* go_on.c -- opens the store after a power cut, continues to play, and checks the new entries. */
+/* go_on.c -- opens the store after a power cut, continues to play, and checks the ledger entries
+ * that are added. */
 #include "tests/power/go_on.h"
 
 #include <stdio.h>
@@ -34,8 +35,9 @@ static int is_told_back(const struct books *before, const struct ledger_entry *e
            entry->count == count && credits(&entry->balance) == credits(&before->balance) + count;
 }
 
-/* Returns 1 if `entry` ends the interrupted round without a refund. This is right if the credit was
- * already spent (PAYMENT_SPENT). The entry must then have the stored catch and tickets. */
+/* Returns 1 if `entry` ends the interrupted round without a refund, as required if its credit was
+ * already spent (PAYMENT_SPENT). The entry must then have the catch and the tickets that were
+ * stored for the round. */
 static int is_kept(const struct books *before, const struct ledger_entry *entry)
 {
     return (before->balance.open & PAYMENT_SPENT) && before->stand.value >> 16 != 0 &&
@@ -46,8 +48,9 @@ static int is_kept(const struct books *before, const struct ledger_entry *entry)
            credits(&entry->balance) == credits(&before->balance);
 }
 
-/* Checks the first ledger entries after the power cut. The first entry records the start of the
- * kiosk. If a round was open at the cut, the second entry ends or refunds that round. */
+/* Checks the first ledger entries after the power cut. The first one records the start of the
+ * kiosk. If a round was running at the time of the cut, the second one ends or refunds this
+ * round. */
 static int opens_well(const struct books *before, uint32_t last_id, char why[BOOKS_WHY_SIZE])
 {
     const struct ledger_entry *boot = &morning.entries[last_id + 1u], *end = boot + 1;
@@ -68,7 +71,7 @@ static int opens_well(const struct books *before, uint32_t last_id, char why[BOO
     return ends == (uint32_t)was_open ? 0 : refuse(why, "what was open ended twice");
 }
 
-/* Returns the number of tickets that entries after `last_id` moved to the dispenser. */
+/* Returns the number of tickets that the entries after `last_id` moved to the dispenser. */
 static uint32_t tickets_out(uint32_t last_id)
 {
     uint32_t out = 0;
@@ -78,8 +81,8 @@ static uint32_t tickets_out(uint32_t last_id)
     return out;
 }
 
-/* Checks that the tickets that were owed before the cut are dispensed. New rounds may add further
- * tickets. */
+/* Checks that all tickets that were owed before the cut are dispensed. New rounds may have added
+ * further tickets. */
 static int pays_tickets(const struct books *before, uint32_t last_id, char why[BOOKS_WHY_SIZE])
 {
     const uint32_t out = tickets_out(last_id);
@@ -88,8 +91,8 @@ static int pays_tickets(const struct books *before, uint32_t last_id, char why[B
         const struct ledger_entry *entry = &morning.entries[id];
         owed += entry->kind == LEDGER_ROUND ? (uint32_t)entry->value : 0u;
     }
-    /* Balance in the last entry that the store accepted. The core may already have newer
-     * entries. */
+    /* Balance of tickets in the newest entry that the store has accepted. The core may already have
+     * newer entries. */
     const uint32_t left = morning.entries[morning.kept_id].balance.tickets;
     if (out >= before->balance.tickets && out + left == owed) {
         return 0;
@@ -101,9 +104,9 @@ static int pays_tickets(const struct books *before, uint32_t last_id, char why[B
 }
 
 /* Plays for half a minute of game time, which is long enough to dispense the owed tickets. A ticket
- * is dispensed only after the store's thread has committed its ledger entry. The frames run faster
- * than real time, so commits may be late. In this case the function plays on, with a sleep after
- * each frame, until the tickets are dispensed. */
+ * is dispensed only after the thread of the store has committed its ledger entry. The frames run
+ * faster than real time, so a commit may be late. In this case the function plays on, and sleeps
+ * after each frame, until the tickets are dispensed. */
 static int play(const char *folder, const struct books *before, uint32_t last_id,
                 char why[BOOKS_WHY_SIZE])
 {

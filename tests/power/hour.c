@@ -1,4 +1,4 @@
-/* hour.c -- generates random inputs of many players at one kiosk. */
+/* hour.c -- generates the random inputs of many players at one kiosk during a simulated hour. */
 #include "tests/power/hour.h"
 
 #include <stdio.h>
@@ -13,7 +13,7 @@
 #include "tests/power/tape.h"
 #include "tests/unit/support/newest_record.h"
 
-/* Length of a round in seconds, short so that many rounds are played. */
+/* Length of a round in seconds. Rounds are short so that many of them are played. */
 #define ROUND_S 20u
 #define TICKS_A_FRAME 2u
 
@@ -40,7 +40,7 @@ int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store)
     config.persistent.settings.value[SET_PRICE] = 2;
     config.persistent.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
     config.persistent.settings.value[SET_ROUND_S] = (int32_t)ROUND_S;
-    /* One fish is enough because these tests do not examine the swimming. */
+    /* There is only one fish, because these tests do not examine how fish swim. */
     config.persistent.settings.value[SET_FISH] = 1;
     config.persistent.settings.value[SET_TICKET_FISH] = 1;
     config_apply_settings(&config, &config.persistent.settings);
@@ -54,14 +54,14 @@ static uint32_t draw(const struct hour *hour, uint32_t what)
     return rng_u32((struct rng_key){ hour->seed, hour->core.game.tick, what, RNG_TEST });
 }
 
-/* Returns 1 at random, on average once in `seconds`. */
+/* Returns 1 at random, on average once in `seconds` seconds of game time. */
 static int happens(const struct hour *hour, uint32_t what, uint32_t seconds)
 {
     const uint32_t ticks = seconds * CORE_TICK_HZ / (hour->haste ? hour->haste : 1u);
     return draw(hour, what) % (ticks ? ticks : 1u) == 0;
 }
 
-/* Moves the poi in a circle over the water, so that a player is present. */
+/* Moves the poi in a circle above the water, as a sign that a player is present. */
 static void move_poi(struct hour *hour)
 {
     const float turn = 0.01f * (float)(hour->core.game.tick % 6283u);
@@ -103,8 +103,8 @@ static void land_fish(struct hour *hour)
     }
 }
 
-/* Writes the ledger entry of a volume change, as the operator's menu does, without opening the
- * menu. */
+/* Writes the ledger entry of a changed volume. The operator's menu would write the same entry, but
+ * is not opened. */
 static void turn_volume(struct hour *hour)
 {
     const int32_t value = 5 * (int32_t)(draw(hour, DRAW_VOLUME) / 7919u % 21u);
@@ -166,8 +166,8 @@ static void note(struct hour *hour, const struct ledger_entry *entry)
     }
 }
 
-/* Simulates the ticket dispenser. The tape's mark is recorded in the tick in which the pulse
- * begins, so that after the mark a power cut always finds a started pulse. */
+/* Simulates the ticket dispenser. In the tick in which a pulse begins, a mark is recorded on the
+ * tape. After a power cut, each mark thus stands for a pulse that has really begun. */
 static void dispense(struct hour *hour, uint32_t asked_before)
 {
     hour->pulse_ticks -= hour->pulse_ticks > 0;
@@ -192,8 +192,8 @@ static void pass_to_store(struct hour *hour, struct hal_storage store)
     }
 }
 
-/* Passes the newest replay to the store. The buffer must not change until the store has stored the
- * previous replay, because the store's thread reads from it. */
+/* Passes the newest replay to the store. The thread of the store reads from the buffer, so the
+ * buffer must not change before the store has stored the previous replay. */
 static void pass_replay(struct hour *hour, struct hal_storage store)
 {
     const int is_buffer_free = hour->replay_acked_id == hour->replay_taken_id;
@@ -215,9 +215,9 @@ struct graph_edit_record hour_edit(uint32_t number)
     return edit;
 }
 
-/* Saves an edited morph graph at random times, on average once in `edit_each_s` seconds. The test
- * numbers all graphs of the run. The store numbers them from 1 after each opening, so `edit_first`
- * is subtracted. */
+/* Stores an edited morph graph at random times, on average once in `edit_each_s` seconds. The test
+ * numbers all graphs of its run from 1. The store numbers its graphs from 1 after each opening, so
+ * `edit_first` is the difference. */
 static void save_graph(struct hour *hour, struct hal_storage store)
 {
     if (hour->edit_each_s > 0 && draw(hour, DRAW_EDIT) % (hour->edit_each_s * 60u) == 0) {

@@ -1,13 +1,15 @@
-/* kiosk_check.c -- checks the data of a kiosk whose file calls failed, after simulated power cuts.
+/* kiosk_check.c -- simulates power cuts of a kiosk whose file calls failed, and checks the data
+ * that are left.
  *
  * Usage: kiosk_check TAPE FOLDER SEED
  *
- * TAPE is the file with the recorded file operations of a kiosk run (kiosk_tape.h). Applies them to
- * a simulated disk, and cuts the power at random operations drawn from SEED and at the end. After
- * each cut, opens the files in FOLDER with the store. The loaded state must contain the newest
- * entry that the kiosk's status file had reported as saved. Prints the counts of cuts, entries,
- * losses, duplicates, coins and failed calls. Returns exit status 1 if an entry was lost or
- * duplicated, or if a state cannot be opened. */
+ * TAPE is the file with the recorded file operations of a kiosk run (kiosk_tape.h). The program
+ * applies them to a simulated disk. The power is cut at random operations drawn from SEED, and at
+ * the end. After each cut, the store opens the files in FOLDER. The loaded state must contain the
+ * newest entry that the kiosk's status file had reported as saved.
+ *
+ * Prints the counts of cuts, entries, losses, duplicates, coins and failed calls. Returns exit
+ * status 1 if an entry was lost or duplicated, or if a state cannot be opened. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,7 +30,7 @@
 static struct storage store;
 static struct persistent_state memory;
 static struct disk disk;
-static uint32_t found; /* Id of the newest ledger entry after the last power cut. */
+static uint32_t found; /* Id of the newest ledger entry that was found after the last power cut. */
 
 static int64_t query_number(sqlite3 *db, const char *query)
 {
@@ -42,10 +44,10 @@ static int64_t query_number(sqlite3 *db, const char *query)
     return answer;
 }
 
-/* Returns 1 if the ledger is consistent: no entry is missing or duplicated, and the sums match the
- * audits. Each coin is one credit, so neither the paid credits nor the coins in the entries may
- * exceed `coins`, the number of inserted coins. The first id may be above 1 if the kiosk started
- * without a store. */
+/* Returns 1 if the ledger is consistent: no entry is missing or duplicated, and the totals match
+ * the audits. `coins` is the number of inserted coins. Each coin is one credit, so neither the paid
+ * credits nor the coins in the entries may exceed `coins`. The first id may be above 1 if the kiosk
+ * started without a store. */
 static int is_sound(const char *folder, uint32_t coins)
 {
     char path[600], query[200];

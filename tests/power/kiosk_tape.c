@@ -1,5 +1,5 @@
-/* kiosk_tape.c -- maps the file with the recorded file operations (the tape) of a real kiosk into
- * memory. */
+/* kiosk_tape.c -- maps the tape of a real kiosk into memory. The tape is the file with the recorded
+ * file operations. */
 #include "tests/power/kiosk_tape.h"
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
-/* lives.c -- simulates lives of a kiosk whose file calls fail, and cuts the power at random
- * operations. A life is a sequence of kiosk runs on the same files (lives.h). */
+/* lives.c -- simulates kiosks whose file calls fail, and cuts the power at random operations. The
+ * life of such a kiosk is a sequence of runs on the same files (lives.h). */
 #include "tests/power/lives.h"
 
 #include <stdio.h>
@@ -18,13 +18,13 @@
 
 #define PATH_SIZE 300u
 #define PARTS_MAX 3u
-#define FRAMES 600u /* Frames from one start of the kiosk to its end: ten seconds. */
-/* Factor of the event rates, so that many entries are written between two starts. */
+#define FRAMES 600u /* Number of frames in one run of the kiosk: ten seconds. */
+/* Factor by which events are more frequent, so that each run writes many entries. */
 #define HASTE 16u
-#define STARTS_MAX 3u /* Largest number of attempts to start if the store cannot be opened. */
+#define STARTS_MAX 3u /* Largest number of attempts to open the store at the start of a run. */
 #define CUTS_A_PART 6u
-/* Length of books[], which has the sums after each ledger entry. Limits the number of entries in
- * one life (struct life). */
+/* Length of books[], which has the totals after each ledger entry. This limits the number of
+ * entries in one life of a kiosk. */
 #define BOOKS_MAX 1024u
 
 static struct hour hour;
@@ -32,8 +32,8 @@ static struct tape tape;
 static struct storage store;
 static struct books books[BOOKS_MAX];
 
-/* A life: a sequence of kiosk runs (parts) on the same files. Also contains the state of its worker
- * process. */
+/* The life of a simulated kiosk: a sequence of runs (parts) on the same files. The struct also
+ * contains the state of the process that simulates this life. */
 struct life {
     const struct lives *lives;
     struct lives_tally *tally;
@@ -41,8 +41,9 @@ struct life {
     uint32_t draws;
     char folder[PATH_SIZE], cut[PATH_SIZE];
     struct disk disk;
-    size_t stepped; /* Number of recorded file operations that were applied to the disk. */
-    /* Data that the store had reported as committed after the first `stepped` operations. */
+    size_t stepped; /* Number of recorded file operations that were applied to the simulated
+                       disk. */
+    /* Data that the store had reported as committed within the first `stepped` operations. */
     struct promise promise;
     uint32_t edit_number;
 };
@@ -54,7 +55,7 @@ static uint32_t draw(struct life *life)
            8;
 }
 
-/* ---- Simulating a life ---------------------------------------------------------------------- */
+/* ---- Simulating the life of a kiosk --------------------------------------------------------- */
 
 static void plan_faults(struct life *life)
 {
@@ -66,8 +67,8 @@ static void plan_faults(struct life *life)
     fault_begin(plans, count);
 }
 
-/* Adds the entries after `known` to the sums, which already contain the entries up to `known`.
- * After a restart the kiosk may reuse ids. The new entries then replace the old ones. */
+/* Adds the entries after `known` to the totals, which already contain the entries up to `known`. A
+ * restarted kiosk may use the same ids again. The new entries then replace the old ones. */
 static void add_up(uint32_t known)
 {
     for (uint32_t id = known + 1u; id <= hour.kept_id && id < BOOKS_MAX; id++) {
@@ -76,8 +77,8 @@ static void add_up(uint32_t known)
     }
 }
 
-/* Starts a part (one run of the kiosk): opens the store and the game. The loaded entries count as
- * reported, because the kiosk shows their credits to the player. */
+/* Starts a part, which is one run of the kiosk: opens the store and the game. All loaded entries
+ * count as committed, because the kiosk shows their credits to the player. */
 static int begin_part(struct life *life, struct hal_storage device)
 {
     if (device.ledger.ops->open(device.ledger.self) != HAL_OK ||
@@ -94,8 +95,9 @@ static int begin_part(struct life *life, struct hal_storage device)
     return 0;
 }
 
-/* Plays one part (one run of the kiosk). The store has no thread here (`without_thread`), so
- * storage_work() is called when new data arrives, and once a second. */
+/* Plays a part, which is one run of the kiosk. The store has no thread of its own here
+ * (`without_thread`). The function therefore calls storage_work() when there is new data, and once
+ * a second. */
 static void play(struct life *life, struct hal_storage device)
 {
     for (uint32_t i = 0; i < FRAMES && hour.kept_id < BOOKS_MAX - 64u; i++) {
@@ -109,8 +111,8 @@ static void play(struct life *life, struct hal_storage device)
     life->edit_number = hour.edit_number;
 }
 
-/* Runs a part until a simulated SIGKILL or until the store is closed. File calls may also fail
- * during the close. */
+/* Runs a part, which is one run of the kiosk. The run ends with a simulated SIGKILL or with the
+ * close of the store, in which file calls may fail too. */
 static void live_part(struct life *life)
 {
     int plays = -1;
@@ -133,8 +135,8 @@ static void live_part(struct life *life)
 
 /* ---- Simulating power cuts ------------------------------------------------------------------ */
 
-/* Checks that the file of the morph graph contains the newest committed edit or a later edit that
- * was passed to the store. */
+/* Checks that the file of the morph graph contains the newest committed graph, or a later graph
+ * that was passed to the store. */
 static void check_graph(struct life *life, const char *where)
 {
     char path[PATH_SIZE + 40u], text[GRAPH_FILE_TEXT_MAX], why[80];
@@ -177,8 +179,8 @@ static void cut_at(struct life *life, size_t op)
     cutter_check(&cutter, tally, life->cut, &life->promise, where);
 }
 
-/* Cuts the power at random file operations of the last part, in time order, and after its last
- * operation. A part is one run of the kiosk. */
+/* Simulates power cuts in the last part, which is one run of the kiosk. The power is cut at random
+ * file operations in time order, and after the last operation. */
 static void cut_part(struct life *life)
 {
     const size_t begin = life->stepped, count = tape.count - begin;
@@ -193,7 +195,7 @@ static void cut_part(struct life *life)
     }
 }
 
-/* ---- All lives ------------------------------------------------------------------------------ */
+/* ---- Simulating all lives ------------------------------------------------------------------- */
 
 static void empty(const char *folder)
 {
@@ -204,9 +206,9 @@ static void empty(const char *folder)
     disk_close(&none);
 }
 
-/* Simulates one life of a kiosk, in 1 to PARTS_MAX parts (runs of the kiosk). After each part, the
- * recording of file operations stops while cut_part() simulates power cuts and checks the resulting
- * files. */
+/* Simulates the life of one kiosk, which has 1 to PARTS_MAX runs (parts). After each run,
+ * cut_part() simulates power cuts and checks the files, and no file operations are recorded
+ * meanwhile. */
 static void live(struct life *life)
 {
     struct tape *const own = &tape;

@@ -1,7 +1,9 @@
-/* lives.h -- simulates lives of a kiosk whose file calls fail as planned (fault.h). A life consists
- * of several parts. A part is one run of the kiosk that ends with SIGKILL or with a close of the
- * store. The next part continues with the files as the page cache has them. After each part, the
- * test simulates several power cuts and compares the remaining files with the committed data. */
+/* lives.h -- simulates the lives of kiosks whose file calls fail as planned (fault.h).
+ *
+ * A life consists of several parts. A part is one run of the kiosk, which ends with SIGKILL or with
+ * a close of the store. The next part continues with the files as they are in the page cache. After
+ * each part, the test simulates several power cuts, and compares the remaining files with the data
+ * that were committed. */
 #ifndef KINGYO_TESTS_POWER_LIVES_H
 #define KINGYO_TESTS_POWER_LIVES_H
 
@@ -11,7 +13,8 @@
 struct lives_tally {
     struct tally cuts;
     uint64_t lives, kills, refused_starts;
-    uint64_t failed[FAULT_CALL_COUNT]; /* Number of calls of each kind that failed as planned. */
+    uint64_t failed[FAULT_CALL_COUNT]; /* Number of calls of each kind that failed according to the
+                                          plans. */
 };
 
 struct lives {
@@ -19,7 +22,7 @@ struct lives {
     uint32_t count, seed, jobs;
 };
 
-/* Plays all lives and adds the results to `sum`. Returns 0, or -1 if a worker died. */
+/* Simulates all lives and adds the results to `sum`. Returns 0, or -1 if a worker process died. */
 int lives_run(const struct lives *lives, struct lives_tally *sum);
 
 #endif

@@ -29,8 +29,8 @@
 #include "tests/power/tape.h"
 
 #define FRAMES_AN_HOUR (3600u * 60u)
-/* Duration of a simulated sync in us. The hour runs much faster than real time, so this time
- * corresponds to some tenths of a second on a slow card. */
+/* Duration of a simulated sync in us. The hour runs much faster than real time, so 200 us stand for
+ * some tenths of a second on a slow card. */
 #define SYNC_US 200u
 #define JOBS_MAX 16u
 #define PATH_SIZE 300u
@@ -38,12 +38,12 @@
 struct plan {
     uint32_t cuts, lives, seed, frames, jobs, deaf;
     char folder[200];
-    const char *journal; /* SQLite's journal mode; null means the store's default. */
+    const char *journal; /* Journal mode of SQLite. Null means the default of the store. */
 };
 
 static struct hour hour;
 static struct tape tape;
-static struct books *books; /* Sums of the entries 1 to n, indexed by n. */
+static struct books *books; /* books[n] has the totals of the ledger entries 1 to n. */
 static struct storage store;
 
 /* ---- Playing the hour ----------------------------------------------------------------------- */
@@ -84,9 +84,9 @@ static int add_up(void)
     return 0;
 }
 
-/* Checks that the recording of file operations (the tape) is complete: its operations, applied to
- * an empty disk, must give the same files as the run. If an operation were missing, the later
- * checks would be meaningless. */
+/* Checks that no file operation is missing on the tape. The recorded operations, applied to an
+ * empty disk, must give the same files as the run. Otherwise all later checks would be
+ * meaningless. */
 static int tape_is_whole(const char *folder, const char *copy)
 {
     struct disk disk, is, should;

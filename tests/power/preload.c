@@ -21,24 +21,25 @@
 #include "tests/power/kiosk_tape.h"
 
 #define PLANS 3u
-/* Number of rename() calls in the first seconds of a kiosk, all made by its database backup. */
+/* Number of rename() calls that a kiosk makes in its first seconds. All of them belong to its
+ * backup of the database. */
 #define RENAMES 2u
 #define STATUS_MAX 65536u
 
 static struct kiosk_tape *map;
 static uint64_t seed;
 static uint32_t draws;
-static atomic_int runs; /* 1 after the kiosk has written a status file. */
+static atomic_int runs; /* 1 from the time at which the kiosk first writes a status file. */
 
 static uint32_t draw(uint32_t below)
 {
     return rng_u32((struct rng_key){ (uint32_t)seed, draws++, 99u, RNG_TEST }) % below;
 }
 
-/* ---- What the kiosk reports ----------------------------------------------------------------- */
+/* ---- Reading the status file of the kiosk --------------------------------------------------- */
 
-/* Reads the text that the kiosk writes to its status file, which is outside the data folder.
- * Returns the errno with which this write must fail, or 0. */
+/* Reads the text that the kiosk writes to its status file. This file is outside the data folder.
+ * Returns the errno with which the write must fail, or 0. */
 static int read_status(const void *bytes, size_t size)
 {
     static const char saved[] = "\"saved_id\": ", refused[] = "\"store\": {\"well\": false";
@@ -52,7 +53,7 @@ static int read_status(const void *bytes, size_t size)
     return error;
 }
 
-/* ---- Coins and the end of the kiosk --------------------------------------------------------- */
+/* ---- Inserting coins and ending the kiosk --------------------------------------------------- */
 
 static void wait_ms(uint32_t ms)
 {
@@ -90,7 +91,7 @@ static void *play(void *unused)
     return unused;
 }
 
-/* ---- Start of the library ------------------------------------------------------------------- */
+/* ---- Starting the library ------------------------------------------------------------------- */
 
 static void plan(void)
 {

@@ -1,7 +1,7 @@
 /* tape.c -- replaces the file functions of libc by functions that record their calls.
  *
- * The functions are defined in the program, so the dynamic linker resolves the calls of shared
- * libraries to them. The functions pass each call directly to the kernel. */
+ * These functions are defined in the test program, so the dynamic linker also resolves the calls of
+ * shared libraries to them. Each function passes its call directly to the kernel. */
 #include "tests/power/tape.h"
 
 #include <errno.h>
@@ -28,16 +28,17 @@ static int is_deaf;
 static atomic_int is_dead;
 int (*tape_other_write)(const void *bytes, size_t size);
 static atomic_int refusal;
-/* File number of each descriptor; 0 means a file outside the watched folder. */
+/* File number of each open descriptor. 0 means a file outside the recorded folder. */
 static uint32_t file_of_fd[FD_MAX];
-static uint8_t is_folder[FD_MAX]; /* 1 for the watched folder, and 2 for a subfolder. */
+static uint8_t is_folder[FD_MAX]; /* 1 for a descriptor of the recorded folder, and 2 for a
+                                     descriptor of a subfolder. */
 static char folder_name[FD_MAX][TAPE_NAME_SIZE];
-/* 1 if the descriptor is the index (-shm file) of SQLite's write-ahead log. Writes to this file
- * are not recorded, because SQLite rebuilds the file after a power cut. The file still uses disk
- * space. */
+/* 1 for a descriptor of the index (-shm file) of SQLite's write-ahead log. Writes to this file are
+ * not recorded, because SQLite rebuilds the file after a power cut. The file still uses disk space,
+ * so its writes may fail. */
 static uint8_t is_index[FD_MAX];
 
-/* ---- Appending operations to the tape ------------------------------------------------------- */
+/* ---- Appending operations to the recording -------------------------------------------------- */
 
 static void need(const void *got)
 {
@@ -74,8 +75,8 @@ static size_t add_bytes(const void *bytes, size_t size)
 
 /* ---- File names ----------------------------------------------------------------------------- */
 
-/* Returns the name of `path` relative to the watched folder, or null if `path` is outside that
- * folder. */
+/* Returns the name of `path` relative to the recorded folder. Returns null if `path` is outside
+ * this folder. */
 static const char *own_name(const char *path)
 {
     if (!running || strncmp(path, watched, watched_size) != 0 || path[watched_size] != '/') {
@@ -178,8 +179,8 @@ static uint32_t file_of(int fd)
     return running && fd >= 0 && fd < FD_MAX ? file_of_fd[fd] : 0;
 }
 
-/* Returns 1 for the index (-shm file) of a write-ahead log. Writes to the index are not recorded,
- * but they may fail as planned. */
+/* Returns 1 if `fd` is the index (-shm file) of a write-ahead log. Writes to the index are not
+ * recorded, but they may fail according to a plan. */
 static int is_log_index(int fd)
 {
     return running && fd >= 0 && fd < FD_MAX && is_index[fd];
@@ -253,8 +254,8 @@ static void note_write(int fd, const void *bytes, ssize_t done, uint64_t offset)
     }
 }
 
-/* Returns the errno with which a call must fail, or 0. A call fails after a simulated SIGKILL
- * (tape_be_dead()) or if a plan requires it. */
+/* Returns the errno with which a call must fail, or 0. A call fails if a plan requires it, and
+ * always after a simulated SIGKILL (tape_be_dead()). */
 int tape_strikes(enum fault_call call)
 {
     pthread_mutex_lock(&pencil);
@@ -278,8 +279,8 @@ static ssize_t write_at(int fd, const void *bytes, size_t size, off_t offset)
     if (is_refused(fd)) {
         return -1;
     }
-    /* A failing write may still have written a part of its data, here half of it in units of 512
-     * bytes. */
+    /* A failing write may have written a part of its data. Here this is half of the data, rounded
+     * down to units of 512 bytes. */
     const int error = file_of(fd) || is_log_index(fd) ? tape_strikes(FAULT_PWRITE) : 0;
     const size_t reached = !error ? size : atomic_load(&is_dead) ? 0u : size / 1024u * 512u;
     pthread_mutex_lock(&pencil);
@@ -357,8 +358,8 @@ void tape_be_dead(int is_dead_now)
     atomic_store(&is_dead, is_dead_now);
 }
 
-/* Records a sync that succeeded, or a failed sync of a file. A failed sync of a folder is not
- * recorded: its name operations stay pending and a later sync can still make them durable. */
+/* Records a successful sync, or a failed sync of a file. A failed sync of a folder is not recorded,
+ * because its name operations stay pending, and a later sync can still make them durable. */
 static int note_sync(int fd, enum fault_call call)
 {
     int error = 0;

@@ -1,9 +1,11 @@
-/* as.c -- runs a command as another user with only the groups that /etc/group lists for that user.
+/* as.c -- runs a command as another user, with only the groups that /etc/group lists for that user.
  *
- * Usage: as USER COMMAND [WORD...]. Replaces systemd in the guest for a unit with User= and
- * LimitRTPRIO=1, which the USB thread needs (drivers/README.md). Exit code 126 means that the
- * program could not become the user, and 127 that the command does not exist. Otherwise the exit
- * code is that of the command. */
+ * Usage: as USER COMMAND [WORD...]
+ *
+ * In the guest, the program does what systemd does for a unit with User= and LimitRTPRIO=1, which
+ * the USB thread needs (drivers/README.md). Exit code 126 means that the program could not change
+ * to the user, and 127 that the command does not exist. Otherwise the exit code is that of the
+ * command. */
 #include <grp.h>
 #include <pwd.h>
 #include <stdio.h>
@@ -14,14 +16,14 @@
 
 #define GROUPS_MAX 32
 
-/* Reads /etc/passwd directly, because getpwnam() does not work in a statically linked program. */
+/* Reads /etc/passwd itself, because getpwnam() does not work in a statically linked program. */
 static struct passwd *find_user(const char *name)
 {
     FILE *file = fopen("/etc/passwd", "r");
     struct passwd *user = NULL;
     while (file && (user = fgetpwent(file)) && strcmp(user->pw_name, name) != 0) {
     }
-    return user; /* The file is not closed, because this process soon executes the command. */
+    return user; /* The file stays open, because this process executes the command soon. */
 }
 
 static int find_groups(const struct passwd *user, gid_t groups[GROUPS_MAX])

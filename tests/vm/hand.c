@@ -1,11 +1,12 @@
 /* hand.c -- plays on the kiosk in the guest through its USB poi until a fish is landed.
  *
- * Usage: hand RECORDING PLANS SECONDS. The program recomputes the game from the kiosk's recording
- * (twin.h). The program simulates a complete scoop by the core's own bot on a copy of the game, and
- * plays the scoop only if the simulation landed a fish. For this it writes the path to PLANS/plan,
- * one pose for each of the poi's 120 reports per second, in the format of `kingyo-poi run
- * --script`. Exit code 0 means that a fish was landed, 1 a timeout, and 65 that another core wrote
- * the recording. */
+ * Usage: hand RECORDING PLANS SECONDS
+ *
+ * The program recomputes the game from the kiosk's recording (twin.h). On a copy of this game, the
+ * core's own bot simulates complete scoops. If a simulated scoop lands a fish, the program writes
+ * its path to the file PLANS/plan: one pose for each of the 120 reports per second, in the format
+ * of `kingyo-poi run --script`. Exit code 0 means that a fish was landed, 1 means a timeout, and 65
+ * that another core wrote the recording. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,24 +18,25 @@
 #include "tests/vm/twin.h"
 
 #define PLAN_TICKS_MAX (20u * CORE_TICK_HZ)
-#define HOME_TICKS (CORE_TICK_HZ) /* Ticks in which the poi moves back to its start position. */
-/* Ticks for which the poi stays above the bowl after a fish has fallen into it. */
+/* Number of ticks in which the poi moves back to its start position. */
+#define HOME_TICKS (CORE_TICK_HZ)
+/* Number of ticks for which the poi stays above the bowl after a fish has fallen into the bowl. */
 #define AFTER_TICKS (CORE_TICK_HZ / 2u)
-/* Time in seconds from the newest recorded tick to the first tick of the planned motion. The
- * program computes the plan during this time. */
+/* Time in seconds from the newest recorded tick to the first tick of the planned motion. During
+ * this time the program computes the plan. */
 #define THINK_S 4.0
-/* Time in seconds at the end of THINK_S in which the plan is sent to the poi. */
+/* Time in seconds at the end of THINK_S that is reserved for sending the plan to the poi. */
 #define DELIVERY_S 0.10
 /* Largest number of random scoops that are simulated for one state of the game. */
 #define TRIES_MAX 40u
 /* Number of additional simulations of each path, each with another start time. The delay until the
- * poi starts varies, so a good path lands a fish in all of them. */
+ * poi starts is not constant, so a good path lands a fish in all simulations. */
 #define JITTERS 4u
 /* Time in seconds over which the speed of the game's clock in the guest is measured. */
 #define PACE_S 4.0
 #define PACE_MIN 0.2
-/* Largest age of the newest recorded tick, s. The kiosk writes the recording once a second, so the
- * age is normally at most a second and a frame. */
+/* Largest age of the newest recorded tick, in seconds. The kiosk writes its recording once a
+ * second, so the age is normally little more than one second. */
 #define LATE_S 3.0
 
 struct plan {
@@ -43,17 +45,18 @@ struct plan {
     uint32_t lands; /* Number of the JITTERS + 1 simulations in which the path landed a fish. */
 };
 
-/* Measured speed of the game's clock in the guest. A slow emulated machine drops ticks, and its
- * game then runs slower than real time. */
+/* Measured speed of the game in the guest. A slow emulated machine drops ticks, so its game runs
+ * slower than real time. */
 struct pace {
     double since_s;
     uint32_t since_ticks;
-    double rate; /* Ticks per second of real time, as a fraction of CORE_TICK_HZ, in (0, 1]. */
+    double rate; /* Ticks per second of real time as a fraction of CORE_TICK_HZ, in (0, 1]. */
 };
 
 static struct twin twin;
 static struct pace pace = { .rate = 1.0 };
-/* Copy of the game for simulations. Static because it has a size of megabytes. */
+/* Copy of the game in which scoops are simulated. The copy is static because its size is some
+ * megabytes. */
 static struct core copy;
 static struct plan plans[2]; /* The best plan so far, and the plan that is being computed. */
 
@@ -108,7 +111,7 @@ static void go_home(struct plan *out, struct poi_target home)
     }
 }
 
-/* Copies the game and advances the copy by `lead` ticks with the poi at rest. Returns the input of
+/* Copies the game, and advances the copy by `lead` ticks while the poi rests. Returns the input of
  * the last tick. */
 static struct input wait_on_copy(uint32_t lead, struct output *ignored)
 {
@@ -122,8 +125,8 @@ static struct input wait_on_copy(uint32_t lead, struct output *ignored)
     return input;
 }
 
-/* Returns 1 if a path that begins after `lead` ticks lands a fish in the simulation. Several leads
- * are tested, because the delay until the poi starts varies. */
+/* Returns 1 if a path that begins after `lead` ticks lands a fish in the simulation. The caller
+ * tests several values of `lead`, because the delay until the poi starts is not constant. */
 static int lands(uint32_t lead, const struct plan *way)
 {
     static struct output ignored;
@@ -137,7 +140,7 @@ static int lands(uint32_t lead, const struct plan *way)
 }
 
 /* Simulates a scoop of an expert bot that begins after `lead` ticks. If the scoop lands a fish,
- * stores its path in `out` and returns 1. */
+ * writes its path to `out` and returns 1. */
 static int plan_scoop(uint32_t lead, uint32_t seed, struct plan *out)
 {
     static struct output ignored;
@@ -173,8 +176,8 @@ static void write_pose(FILE *file, const struct poi_target *target)
             (double)target->angles.yaw_rad * degrees, (double)target->angles.roll_rad * degrees);
 }
 
-/* Writes the plan to a temporary file and renames the file, so that its reader never gets an
- * incomplete plan. */
+/* Writes the plan to a temporary file and then renames the file, so that the program that reads the
+ * plan never gets an incomplete one. */
 static int send(const struct plan *way, const char *folder)
 {
     char path[512], part[520];
@@ -199,7 +202,7 @@ static int can_play(void)
 }
 
 /* Computes one more plan. The plan replaces the best plan if it landed a fish in more simulations,
- * or in as many simulations and takes less time. */
+ * or in equally many simulations within a shorter time. */
 static void think_once(uint32_t seed)
 {
     static const int32_t jitter_ticks[JITTERS] = { -12, 8, 18, 32 };
@@ -217,9 +220,9 @@ static void think_once(uint32_t seed)
     }
 }
 
-/* Computes plans until the start time and sends the best one. Returns the time in seconds until the
- * recording shows the result: the duration of that plan plus LATE_S. Returns 0 if no simulated
- * scoop landed a fish or the plan was not written. */
+/* Computes plans until the start time and sends the best one. Returns 0 if no simulated scoop
+ * landed a fish or the plan was not written. Otherwise returns the time in seconds after which the
+ * recording shows the result: the duration of the plan plus LATE_S. */
 static double try_once(double seen_s, const char *folder, uint32_t *luck)
 {
     const double start_s = seen_s + THINK_S, enough_s = start_s - 3.0 * DELIVERY_S;

@@ -1,11 +1,12 @@
-/* keeper.c -- replaces systemd for the kiosk in the guest: starts the kiosk and resets the hardware
- * watchdog's timer while the kiosk reports that it runs.
+/* keeper.c -- replaces systemd for the kiosk in the guest. The program starts the kiosk, and resets
+ * the timer of the hardware watchdog while the kiosk reports that it runs.
  *
- * Usage: keeper DEVICE SECONDS COMMAND [WORD...]. The program opens the watchdog DEVICE when the
- * command sends READY=1 and resets the timer at each WATCHDOG=1. If the kiosk hangs, the watchdog
- * resets the machine. When the command exits, the program disarms the watchdog and returns the
- * command's exit code. Finally the program prints on standard error the number of timer resets and
- * the longest interval between two of them. */
+ * Usage: keeper DEVICE SECONDS COMMAND [WORD...]
+ *
+ * The program opens the watchdog DEVICE when the command sends READY=1, and resets the timer at
+ * each WATCHDOG=1. If the kiosk hangs, the watchdog resets the machine. When the command exits, the
+ * program disarms the watchdog and returns the exit code of the command. Finally the program prints
+ * on standard error how often it reset the timer, and the longest interval between two resets. */
 #include <fcntl.h>
 #include <linux/watchdog.h>
 #include <poll.h>
@@ -26,7 +27,8 @@
 struct keeper {
     const char *device;
     int timeout_s;
-    int watchdog_fd; /* Open watchdog device; -1 means that the watchdog is not armed yet. */
+    int watchdog_fd; /* Descriptor of the open watchdog device. -1 means that the watchdog is not
+                        armed yet. */
     unsigned fed;
     double fed_s, longest_s;
 };
@@ -57,7 +59,8 @@ static int open_socket(void)
         perror("keeper: socket");
         exit(74);
     }
-    chmod(address.sun_path, 0666); /* The command may run as any user. */
+    chmod(address.sun_path, 0666); /* The socket is writable for all users, because the command may
+                                      run as any user. */
     setenv("NOTIFY_SOCKET", address.sun_path, 1);
     return fd;
 }

@@ -1,10 +1,12 @@
-/* lag.c -- measures the delay from a report of a USB poi to the tick that uses it.
+/* lag.c -- measures the delay from a report of a USB poi to the tick that uses the report.
  *
- * Usage: lag VVVV:PPPP SECONDS. Runs the kiosk's code from the libusb thread to the pose of each
- * tick, at 60 frames per second. Drawing and the core are left out, because they take so long on an
- * emulated machine that they would dominate the result. Prints the figures in one line. Exit code 0
- * means that at least half of the sent reports were used, and that the median delay was at most a
- * frame and a half. Exit code 1 means that this failed or that no such poi exists. */
+ * Usage: lag VVVV:PPPP SECONDS
+ *
+ * Runs the kiosk's code from the libusb thread to the pose of each tick, at 60 frames per second.
+ * Drawing and the core are left out, because on an emulated machine their time would dominate the
+ * result. Prints the figures in one line. Exit code 0 means that at least half of the sent reports
+ * were used, and that the median delay was at most one and a half frames. Exit code 1 means that
+ * one of these conditions failed or that there is no such poi. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -17,8 +19,9 @@
 #include "platform/os/clock.h"
 
 #define FRAME_NS 16666667u
-#define FIND_NS 10000000000u /* Timeout for the device to get a slot on a slow machine. */
-/* Least number of reports that must be used per second. The poi sends 250. */
+/* Longest time in ns until the device gets a slot, even on a slow machine. */
+#define FIND_NS 10000000000u
+/* Smallest number of reports per second that must be used. The poi sends 250 reports per second. */
 #define REPORTS_MIN 125u
 #define MEDIAN_MAX_NS (FRAME_NS + FRAME_NS / 2u)
 
@@ -54,8 +57,8 @@ static struct usb_event_thread *start(struct hal *hal, const struct usb_key *key
     return usb;
 }
 
-/* Waits until the device has a slot. The kiosk also reads from a slot only after a device was
- * assigned to it. */
+/* Waits until the device has a slot. The kiosk too reads reports only from a device that has a
+ * slot. */
 static int is_found(const struct hal *hal)
 {
     const uint64_t end_ns = hal->clock.ops->now_ns(hal->clock.self) + FIND_NS;
@@ -67,7 +70,7 @@ static int is_found(const struct hal *hal)
     return poi[0].plays;
 }
 
-/* Runs one frame in the order of kiosk_frame(). */
+/* Runs one frame with its steps in the order of kiosk_frame(). */
 static void frame(const struct hal *hal)
 {
     struct poi_input input;
@@ -84,8 +87,8 @@ static void frame(const struct hal *hal)
     sampler_path_end(&hand.path);
 }
 
-/* Runs frames until `long_ns` have passed. After a frame that took too long, the next frame starts
- * at once, and missed frames are not made up. Returns the number of frames. */
+/* Runs frames for `long_ns`. If a frame takes too long, the next one starts at once, and the missed
+ * frames are not made up. Returns the number of frames. */
 static uint32_t play(const struct hal *hal, uint64_t long_ns)
 {
     const uint64_t begin_ns = hal->clock.ops->now_ns(hal->clock.self);

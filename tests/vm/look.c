@@ -1,7 +1,9 @@
-/* look.c -- writes the state of the game in the guest as "name value" lines.
+/* look.c -- writes the state of the game in the guest to a file, as lines of a name and a value.
  *
- * Usage: look RECORDING FILE. The program recomputes the state from the kiosk's recording (twin.h).
- * The program rewrites FILE whenever the recording has grown, until a signal ends the program. */
+ * Usage: look RECORDING FILE
+ *
+ * The program recomputes the state from the kiosk's recording (twin.h). FILE is rewritten whenever
+ * the recording has grown, until a signal ends the program. */
 #include <signal.h>
 #include <stdio.h>
 #include <time.h>
@@ -10,7 +12,7 @@
 #include "tests/vm/twin.h"
 #include "tests/unit/support/menu_tag.h"
 
-/* Time between two readings of the recording, ns. A recording grows once a second. */
+/* Time between two reads of the recording, in ns. The recording grows once a second. */
 #define LOOK_NS 100000000
 
 static volatile sig_atomic_t must_end;
@@ -59,8 +61,8 @@ static void print_state(FILE *file, const struct twin *twin)
             (double)at.z * 1e3);
 }
 
-/* Writes the state to a temporary file and renames the file, so that its reader never gets an
- * incomplete state. */
+/* Writes the state to a temporary file and then renames the file, so that the program that reads
+ * the state never gets an incomplete one. */
 static int write_state(const char *path, const struct twin *twin)
 {
     char part[512];

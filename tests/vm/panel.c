@@ -1,14 +1,18 @@
 /* panel.c -- generates pulses on lines of gpio-sim and counts pulses, with better timing than a
  * shell script.
  *
- * Usage: panel pulse WIRE WIDTH_MS REST_MS COUNT [MIN_MS MAX_MS]. Pulls the line of folder WIRE low
- * COUNT times. The true length of each pulse is measured, because an emulated machine stops from
- * time to time. With MIN_MS and MAX_MS, only pulses within these lengths count toward COUNT.
- * Finally prints "COUNT pulses of A to B ms, S shorter, L longer".
+ * Usage: panel pulse WIRE WIDTH_MS REST_MS COUNT [MIN_MS MAX_MS]
  *
- * Usage: panel count WIRE FILE. Writes to FILE how often the line's value rose, until a signal ends
- * the program. One thread for each processor polls the line every 10 ms, so that a 100 ms pulse is
- * seen even if a processor stops. */
+ * Pulls the line of the folder WIRE low COUNT times. The true length of each pulse is measured,
+ * because an emulated machine stops from time to time. With MIN_MS and MAX_MS, only pulses between
+ * these lengths count toward COUNT. Finally the program prints "COUNT pulses of A to B ms, S
+ * shorter, L longer".
+ *
+ * Usage: panel count WIRE FILE
+ *
+ * Writes to FILE how often the value of the line rose, until a signal ends the program. One thread
+ * for each processor polls the line every 10 ms, so that a pulse of 100 ms is detected even if a
+ * processor stops. */
 #include <fcntl.h>
 #include <pthread.h>
 #include <sched.h>
@@ -22,14 +26,14 @@
 
 #define PATH_SIZE 256
 #define LOOK_MS 10.0
-/* Largest number of generated pulses. The limit ends the program on a machine that never produces
- * the required pulse length. */
+/* Largest number of generated pulses. On a machine that never gives a pulse of the required length,
+ * this limit ends the program. */
 #define PULSES_MAX 100000u
 
 struct pulses {
     double width_ms, rest_ms, min_ms, max_ms;
     uint32_t count, shorter, longer;
-    double narrowest_ms, widest_ms; /* Lengths of the shortest and the longest accepted pulse. */
+    double narrowest_ms, widest_ms; /* Length of the shortest and of the longest accepted pulse. */
 };
 
 static double now_ms(void)
@@ -85,7 +89,7 @@ static void pulse(struct pulses *pulses, const char *wire, uint32_t count)
            pulses->narrowest_ms, pulses->widest_ms, pulses->shorter, pulses->longer);
 }
 
-/* Returns 1 if the line is high. Returns 0 if it is low or its chip does not exist. */
+/* Returns 1 if the line is high. Returns 0 if the line is low or its chip does not exist. */
 static int is_high(const char *path)
 {
     char value = '0';
@@ -97,8 +101,8 @@ static int is_high(const char *path)
     return value == '1';
 }
 
-/* Writes the count to a temporary file and renames the file, so that its reader never gets an
- * incomplete count. */
+/* Writes the count to a temporary file and then renames the file, so that the program that reads
+ * the count never gets an incomplete one. */
 static void write_count(const char *path, uint32_t count)
 {
     char part[PATH_SIZE];
@@ -110,18 +114,18 @@ static void write_count(const char *path, uint32_t count)
     }
 }
 
-/* State of a line, which all polling threads share. */
+/* State of the counted line, which all polling threads share. */
 static struct {
     char path[PATH_SIZE];
     pthread_mutex_t lock;
-    double polled_ms; /* Start time of the newest poll that was processed. */
+    double polled_ms; /* Time at which the newest processed poll began. */
     int was_high;
     _Atomic uint32_t rises;
 } seen = { .lock = PTHREAD_MUTEX_INITIALIZER, .was_high = 1 };
 
-/* Processes the level that a thread has polled. A thread on a stopped processor may report an old
- * level late. Therefore the function ignores a poll that began before the newest processed poll.
- * Otherwise one pulse could be counted twice. */
+/* Processes the level that a thread has polled. A thread on a stopped processor may pass an old
+ * level late, and one pulse could then be counted twice. The function therefore ignores a poll that
+ * began before the newest processed poll. */
 static void process_level(double polled_ms, int high)
 {
     pthread_mutex_lock(&seen.lock);
@@ -170,7 +174,7 @@ __attribute__((noreturn)) static void count_rises(const char *wire, const char *
 
 int main(int argc, char **argv)
 {
-    /* Priority below that of the kernel's interrupt threads (50). */
+    /* This priority is lower than that of the kernel's interrupt threads (50). */
     const struct sched_param hand = { .sched_priority = 10 };
     sched_setscheduler(0, SCHED_FIFO, &hand);
     if (argc == 4 && strcmp(argv[1], "count") == 0) {

@@ -1,4 +1,5 @@
-/* twin.c -- recomputes new ticks of a recording and compares the digest of each tick. */
+/* twin.c -- recomputes the game of a kiosk from new ticks of its recording, and compares the digest
+ * of each tick. */
 #include "tests/vm/twin.h"
 
 #include <string.h>
@@ -35,7 +36,8 @@ static void count(struct twin *twin)
     twin->paused_ticks += twin->core.game.phase == PHASE_ROUND && twin->core.game.paused;
 }
 
-/* Decodes the recorded ticks that the core has already run, so that the next tick read is new. */
+/* Decodes the recorded ticks that the core has already run, so that the next decoded tick is a new
+ * one. */
 static int skip_known(struct twin *twin, struct input *input)
 {
     for (uint32_t i = 0; i < twin->ticks; i++) {
@@ -60,7 +62,8 @@ int twin_follow(struct twin *twin)
     struct input input = { 0 };
     const uint32_t before = twin->ticks;
     if (twin->differs_at || replay_open(&twin->reader, twin->path)) {
-        /* The recording does not exist yet, or the kiosk is writing it. A later call reads it. */
+        /* The recording does not exist yet, or the kiosk is just writing it. A later call can read
+         * it. */
         return twin->differs_at ? -1 : 0;
     }
     if (!begin(twin) || !skip_known(twin, &input)) {

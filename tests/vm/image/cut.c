@@ -1,16 +1,18 @@
 /* cut.c -- computes the content of a disk after a power cut: all flushed data, and a random part of
  * the other writes.
  *
- * Usage: cut LOG DISK SEED [lies]. LOG is the log of QEMU's blklogwrites for a machine that was
- * killed, with each write and flush in order (the format of the kernel's dm-log-writes). DISK is
- * the disk image when that machine was switched on. The program changes it to the image after the
+ * Usage: cut LOG DISK SEED [lies]
+ *
+ * LOG is the log that QEMU's blklogwrites wrote for a machine that was killed. The log contains
+ * each write and flush in order, in the format of the kernel's dm-log-writes. DISK is the disk
+ * image from before that machine was switched on. The program changes DISK to the image after the
  * power cut.
  *
- * A write is kept if a flush followed it or if it was a FUA write. Each other write is at random
- * kept, lost, or torn (only some of its 512-byte sectors are kept), independent of the order. With
- * `lies` flushed writes may be lost too, so that a test of durability must fail. Prints one line
- * with the number of writes of each kind. Exit code 74 means that a file is missing or that LOG is
- * no such log. */
+ * A write is kept if a flush followed it or if it was a FUA (force unit access) write. Each other
+ * write is at random kept, lost, or torn, which means that only some of its 512-byte sectors are
+ * kept. The order of the writes has no influence. With `lies`, flushed writes may be lost too, so
+ * that a test of durability must fail. Prints one line with the number of writes of each kind. Exit
+ * code 74 means that a file is missing or that LOG is no such log. */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdint.h>
@@ -21,14 +23,14 @@
 
 #define SECTOR 512u
 #define MAGIC 0x6a736677736872ull
-/* Largest number of writes. A busy kiosk makes some hundred writes per second, so this number is
- * enough for about an hour. */
+/* Largest number of writes in a log. A busy kiosk makes some hundred writes per second, so this
+ * number is enough for about an hour. */
 #define WRITES_MAX (1u << 20)
 
 enum { FLUSH = 1, FUA = 2, DISCARD = 4, MARK = 8 };
 
-struct super { /* Header of the log of disk writes. The fields are little-endian, as on all
-                  machines that run this test. */
+struct super { /* Header of the log of disk writes. All fields are little-endian, as on each machine
+                  that runs this test. */
     uint64_t magic, version, entries;
     uint32_t sector_size;
 } __attribute__((packed));
@@ -38,7 +40,8 @@ struct entry {
 };
 
 struct write {
-    uint64_t at, to, size; /* Positions in the log and on the disk, and the size, in bytes. */
+    uint64_t at, to, size; /* Position in the log, position on the disk, and size of the write, in
+                              bytes. */
     uint8_t is_zero, is_safe;
 };
 
@@ -66,18 +69,18 @@ static uint64_t draw(void)
     return x ^ x >> 31;
 }
 
-/* Counts a flush and marks all earlier writes as durable, unless the disk loses flushed writes
- * (`lies`). */
+/* Counts a flush. Marks all earlier writes as durable, unless the disk is simulated as one that
+ * loses flushed writes (`lies`). */
 static void flush(struct tally *tally)
 {
-    static uint32_t flushed; /* Number of writes that an earlier flush made durable. */
+    static uint32_t flushed; /* Number of writes that earlier flushes have covered. */
     while (flushed < write_count) {
         writes[flushed++].is_safe = !disk_lies;
     }
     tally->flushes++;
 }
 
-/* Reads all entries up to the first invalid one. The number of entries in the header is not used,
+/* Reads the log up to the first invalid entry. The number of entries in the header is ignored,
  * because QEMU updates it only from time to time. */
 static void read_log(const char *path, int log, struct tally *tally)
 {
@@ -113,8 +116,8 @@ static void read_log(const char *path, int log, struct tally *tally)
     }
 }
 
-/* Writes a random part of the sectors of a write to the disk. `share` is the probability of each
- * sector in 256ths. */
+/* Applies a random part of the sectors of a write to the disk. Each sector is applied with the
+ * probability `share` / 256. */
 static void put(int log, int disk, const struct write *write, unsigned share)
 {
     uint8_t bytes[SECTOR] = { 0 };
@@ -124,7 +127,8 @@ static void put(int log, int disk, const struct write *write, unsigned share)
         }
         if (!write->is_zero &&
             pread(log, bytes, SECTOR, (off_t)(write->at + done)) != (ssize_t)SECTOR) {
-            return; /* The killed machine wrote the data of its last log entry only in part. */
+            return; /* The log ends here, because the machine was killed while it wrote the data of
+                       its last entry. */
         }
         if (pwrite(disk, bytes, SECTOR, (off_t)(write->to + done)) != (ssize_t)SECTOR) {
             fail("disk", strerror(errno));

@@ -1,16 +1,18 @@
 /* hold.c -- stops only the first thread of a process, to simulate a frame loop that hangs.
  *
- * Usage: hold PID. The thread is stopped until this program or the process ends. SIGSTOP is not
- * used, because it would also stop the other threads. Exit code 0 means that the process has ended,
- * and 74 that the process could not be stopped. */
+ * Usage: hold PID
+ *
+ * The thread stays stopped until this program or the process ends. SIGSTOP is not used, because it
+ * would stop the other threads too. Exit code 0 means that the process has ended, and 74 that it
+ * could not be stopped. */
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/ptrace.h>
 #include <sys/wait.h>
 
-/* Returns 1 if the process has ended or received SIGABRT, SIGKILL or SIGTERM. In the latter case
- * the stopped thread is released, so that the signal can end the process. */
+/* Returns 1 if the process has ended or has received SIGABRT, SIGKILL or SIGTERM. After one of
+ * these signals the stopped thread is released, so that the signal can end the process. */
 static int is_over(pid_t pid)
 {
     int status;

@@ -1,6 +1,9 @@
-/* witness.c -- prints the data that a kiosk had committed before it lost power, from its recording.
+/* witness.c -- prints the data that a kiosk had committed before it lost power, as its recording
+ * shows them.
  *
- * Usage: witness RECORDING. Runs the core on the recorded inputs (twin.h) and prints:
+ * Usage: witness RECORDING
+ *
+ * Runs the core on the recorded inputs (twin.h) and prints three kinds of lines:
  *
  * start LAST_ID BOOT UNITS PAID SERVICE OPEN: the state that the kiosk loaded at its start.
  *
@@ -16,7 +19,7 @@
 
 static struct replay_reader reader;
 static struct core core;
-/* The reader, the core and the output are static, because they have a size of megabytes. */
+/* The reader, the core and the output are static, because their size is some megabytes. */
 static struct output output;
 
 static void print_balance(const struct balance *balance)
