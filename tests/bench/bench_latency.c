@@ -146,7 +146,7 @@ static int compare(const void *left, const void *right)
 }
 
 /* Measures TRIALS events of one kind at random times within a frame, and prints a row of the table.
- * Returns 1 if each latency was at most one frame, one tick and the drawing time. */
+ * Returns 1 if no latency was longer than the sum of one frame, one tick and the drawing time. */
 static int bench(const struct event *event)
 {
     static double ms[TRIALS];

@@ -22,7 +22,7 @@ struct comparison {
     double p; /* Two-sided p value; 1 if no pair differs. */
 };
 
-/* Compares the two catches of `count` pairs, 1 .. STATISTICS_PAIRS_MAX. */
+/* Compares the catches `a` and `b` of `count` pairs. `count` is in 1 .. STATISTICS_PAIRS_MAX. */
 struct comparison statistics_compare(const uint32_t *a, const uint32_t *b, uint32_t count);
 
 #define STATISTICS_SIGNIFICANT 0.05

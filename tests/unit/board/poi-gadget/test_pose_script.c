@@ -201,10 +201,10 @@ static void test_missed_periods_skip_lines_and_keep_their_keys(void **state)
     assert_int_equal(source.step(source.self, 0.01f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.040f, 2e-5f);
     assert_int_equal(out.buttons, 0);
-    /* Half of the time of the interpolated line has passed. */
+    /* The line "+40 80" interpolates from 40 mm to 80 mm. Half of its time has passed. */
     assert_int_equal(source.step(source.self, 0.02f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.060f, 2e-5f);
-    /* The interpolated line has reached its end. */
+    /* The interpolation has ended, so the pose of the next line (90 mm) is reported. */
     assert_int_equal(source.step(source.self, 0.50f, &out), POSE_NEW);
     assert_float_equal(out.target.position_m.x, 0.090f, 2e-5f);
     assert_int_equal(source.step(source.self, 0.01f, &out), POSE_END);

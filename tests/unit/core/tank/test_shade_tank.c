@@ -132,8 +132,8 @@ static void test_swimmers_in_a_shade_keep_to_7_5_cm_s(void **state)
 }
 
 /* Returns how often a fish within `circle` reverses its turn, per second and per fish, from second
- * 6 to second 14. A reversal is a change between turns of more than 20 degrees per second to both
- * sides. */
+ * 6 to second 14. A reversal is a change from a turn to one side to a turn to the other side, both
+ * faster than 20 degrees per second. */
 static float reversals_per_s(uint32_t fish_count, uint32_t seed, const struct shade_cast *fan,
                              const struct shade_cast *circle, float *within)
 {

@@ -285,7 +285,7 @@ static void silence(uint32_t ticks)
 }
 
 /* After a delay the kiosk passes on only the newest pose. The flag `has_gap` means that the poses
- * before it are unknown. */
+ * during the delay are unknown. */
 static void test_motion_that_the_kiosk_did_not_observe_is_followed_slowly(void **state)
 {
     (void)state;
