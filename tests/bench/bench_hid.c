@@ -148,8 +148,8 @@ static void bench_report(const char *path)
 /* Size of one array element in bits. The elements of all arrays must fit in a report
  * (HID_REPORT_MAX bytes). */
 #define ELEMENT_BITS 4u
-/* Largest value of an element, and the value of each element in the report. The value is an index
- * in the array's list of usages. */
+/* Largest value that an array element can have. Each element of the report has this value, which is
+ * an index in the array's list of usages. */
 #define ELEMENT_MAX 15u
 
 static struct hid_device_info face;

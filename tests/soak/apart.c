@@ -246,8 +246,8 @@ static void check_pace(struct apart *apart, const struct tank *tank, const struc
     }
     if (fish->gait == GAIT_SWIM) {
         const vec3 v = fish->velocity_m_s;
-        /* Speed of the gait for this length and stamina, without other influences (section 3.3 of
-         * the 2013 thesis). */
+        /* Speed that the gait of a fish gives at this length and stamina, without the influence of
+         * other fish or walls (section 3.3 of the 2013 thesis). */
         const float able = fish->length_m * (0.8f + 0.2f * fish->stamina);
         apart->speed_sum += (double)f_sqrt(v.x * v.x + v.z * v.z);
         apart->free_sum += (double)(able * tank_behavior_params(tank)->swim_speed);

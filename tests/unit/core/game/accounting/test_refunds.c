@@ -104,8 +104,8 @@ static void expect_refunded(void)
     assert_int_equal(balance()->open, PAYMENT_NONE);
 }
 
-/* Checks that the round is scored and that its credit is not refunded. The reason is that the round
- * was nearly over, or that the credit was refunded before. */
+/* Checks that the round is scored and that its credit is not refunded. This is the case if the
+ * round was nearly over, or if the credit was already refunded once. */
 static void expect_kept(uint32_t refunds)
 {
     assert_int_equal(audit(AUDIT_REFUNDS), refunds);

@@ -183,8 +183,9 @@ static void test_a_ticket_starts_only_after_the_pulse_of_the_previous_one(void *
     assert_int_equal(purse_count(&output, LEDGER_TICKET), 1);
 }
 
-/* Cuts the power at many moments while tickets are dispensed, twice in a row. No ticket may be
- * dispensed twice, and each cut may lose at most one ticket. */
+/* Cuts the power at many different moments while tickets are dispensed. In every second case, the
+ * power is cut again soon after the restart. No ticket may be dispensed twice, and each cut may
+ * lose at most one ticket. */
 static void test_a_power_cut_at_any_tick_loses_one_ticket_at_most_and_repeats_none(void **state)
 {
     uint32_t missing_cuts = 0;
