@@ -34,9 +34,9 @@ enum tape_kind {
                           committed. */
     TAPE_REPLAY_ACKED, /* Note of the test (mark): the store reported the replay of round `offset`
                           as committed. */
-    TAPE_EDIT_KEPT,    /* Note of the test (mark): graph number `offset` was passed to the
+    TAPE_EDIT_KEPT,    /* Note of the test (mark): morph graph number `offset` was passed to the
                           store. */
-    TAPE_EDIT_ACKED,   /* Note of the test (mark): the store reported graph number `offset` as
+    TAPE_EDIT_ACKED,   /* Note of the test (mark): the store reported morph graph number `offset` as
                           committed. */
     TAPE_TICKET,       /* Note of the test (mark): the dispenser pulse of ticket number `offset`
                           began. */

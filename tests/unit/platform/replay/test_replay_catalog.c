@@ -1,5 +1,5 @@
-/* test_replay_catalog.c -- Tests the catalog in a recording, which contains the species that were
- * loaded from files and the graphs that were edited in the growth lab. */
+/* test_replay_catalog.c -- Tests the catalog in a recording. The catalog contains the species that
+ * were loaded from files, and the morph graphs that were edited in the growth lab. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,7 +23,8 @@ static struct recorder recorder;
 static struct replayer replayer;
 static uint8_t bytes[REPLAY_CATALOG_MAX];
 
-/* Fills the largest catalog: eight loaded species, and an edited graph for every species. */
+/* Fills the largest possible catalog: eight loaded species, and an edited morph graph for every
+ * species. */
 static void fill(void)
 {
     memset(&book, 0, sizeof book);

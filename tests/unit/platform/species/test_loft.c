@@ -25,7 +25,7 @@ static const struct loft *lofted(const char *head, const char *more, const char 
     return &loft;
 }
 
-/* Returns the size of a key shape. The size is computed from the mesh alone, as the species defines
+/* Returns the size of a shape key. The size is computed from the mesh alone, as the species defines
  * it (for example as total length), and must be 1. */
 static float measured(const struct species *s, const vec3 *at, const struct species_mesh *mesh)
 {
@@ -267,7 +267,7 @@ static void test_masks_sum_to_255_and_are_continuous(void **state)
         assert_true(v->part != PART_EYE || v->mask[1] == 255);
         assert_true(v->part != PART_DORSAL || v->mask[2] == 255);
         assert_true(v->part != PART_ANAL || v->mask[0] == 255);
-        /* At its root (v = 0), the tail fin is not influenced by curve 2. */
+        /* At the root of the tail fin (v = 0), curve 2 must have no influence. */
         assert_true(v->part != PART_TAIL || v->v > 0.0f || v->mask[2] == 0);
         assert_true(v->part != PART_TAIL || v->v < 1.0f || v->mask[2] == 255);
         assert_true(v->part != PART_BODY || v->u > 0.2f || v->mask[1] == 255);

@@ -11,7 +11,7 @@ static const char *with_head(const char *more)
     return text;
 }
 
-/* Returns a valid species text with the lines `more` added to its first key. */
+/* Returns a valid species text with the lines `more` added to its first shape key. */
 static const char *with_key(const char *more)
 {
     static char text[TEXT_SIZE];
@@ -22,7 +22,7 @@ static const char *with_key(const char *more)
     return text;
 }
 
-/* Returns a species text with the lines `tail` in place of the graph. */
+/* Returns a species text with the lines `tail` in place of the morph graph. */
 static const char *with_tail(const char *tail)
 {
     static char text[TEXT_SIZE];

@@ -1,5 +1,5 @@
-/* test_graph_file.c -- Tests the files in which the growth lab stores edited graphs. A graph must
- * be restored bit for bit. Otherwise the error must be reported in one line. */
+/* test_graph_file.c -- Tests the files in which the growth lab stores edited morph graphs. A graph
+ * must be restored bit for bit. Otherwise the error must be reported in one line. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -52,7 +52,7 @@ static int teardown(void **state)
     return system(command);
 }
 
-/* Returns a graph with numbers of many digits, so that a rounding error would be detected. */
+/* Returns a morph graph with numbers of many digits, so that a rounding error would be detected. */
 static struct graph_edit_record drawn(void)
 {
     struct graph_edit_record record = { .id = 3, .key_count = card->key_count };
@@ -84,8 +84,8 @@ static void test_a_graph_is_read_bit_for_bit(void **state)
     assert_memory_equal(&back, &record.edit, sizeof back);
 }
 
-/* Formats the largest graph: every knot has eight keys, and each number has the maximum number of
- * digits. */
+/* Formats the largest morph graph: every knot has the weights of eight shape keys, and each number
+ * has the maximum number of digits. */
 static void test_the_longest_graph_fits_its_text_buffer(void **state)
 {
     (void)state;
@@ -201,7 +201,7 @@ static void test_each_graph_error_is_reported_with_its_line(void **state)
     char *solved = strstr(text, "solved 0");
     solved[7] = '1';
     /* The graph is now marked as computed (solved). For such a graph it is an error that the second
-     * key has nearly no weight at any age. */
+     * shape key has nearly no weight at any age. */
     assert_int_equal(parse(text, &edit, why), 0);
     snprintf(head, sizeof head, "the key '%s' is hardly seen", card->key_names[1]);
     assert_non_null(strstr(why, head));
@@ -273,7 +273,7 @@ static void test_the_store_writes_a_graph_in_its_own_thread(void **state)
 }
 
 /* Another kiosk has locked the data folder, so this kiosk does not open the database and cannot
- * store rounds. A graph is stored in a text file, which must be written all the same. */
+ * store rounds. A morph graph is stored in a text file, which must be written all the same. */
 static void test_a_graph_is_stored_without_a_database(void **state)
 {
     (void)state;
@@ -304,7 +304,7 @@ static void test_a_graph_is_stored_without_a_database(void **state)
     close(hold);
 }
 
-/* Stores more graphs than the queue can hold. While the queue is full, store() returns
+/* Stores more morph graphs than the queue can hold. While the queue is full, store() returns
  * HAL_ERR_BUSY, and the test retries. */
 static void test_queued_graphs_are_written_in_order(void **state)
 {
@@ -338,7 +338,8 @@ static void test_a_failed_graph_write_is_reported_and_counted(void **state)
     memset(&storage, 0, sizeof storage);
     storage.dir = folder;
     snprintf(path, sizeof path, "%s/" GRAPH_FILE_FOLDER, folder);
-    /* Creates a file at the path of the folder for graphs, so that no graph can be written. */
+    /* Creates a regular file at the path of the folder for morph graphs, so that no graph can be
+     * written. */
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     fclose(file);

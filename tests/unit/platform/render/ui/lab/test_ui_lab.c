@@ -85,7 +85,7 @@ static void test_the_lab_fits_every_screen_with_every_species(void **state)
         }
     }
     print_message("the longest screen has %u quads of %u\n", longest, UI_QUADS_MAX);
-    /* 200 quads must be left for curves with twelve knots and for languages with longer words. */
+    /* 200 quads must be left for graphs with twelve knots and for languages with longer words. */
     assert_in_range(longest, 1, UI_QUADS_MAX - 200u);
 }
 
@@ -117,7 +117,7 @@ static void point_at(struct layout_point at, int down)
 }
 
 /* Each knot of the selected curve must be drawn as a dot. A press on the centre of the dot must
- * select the knot. */
+ * select this knot. */
 static void test_every_knot_is_selected_at_its_drawn_position(void **state)
 {
     (void)state;
@@ -186,8 +186,8 @@ static void test_the_lab_fish_stays_between_stage_and_ruler(void **state)
     }
 }
 
-/* The recording contains a species that this kiosk does not have. The lab can then show the graph
- * of the species, but no fish. */
+/* The recording contains a species that this kiosk does not have. The lab can then show the morph
+ * graph of the species, but no fish. */
 static void test_an_unknown_species_has_a_graph_and_no_fish(void **state)
 {
     (void)state;
@@ -204,8 +204,8 @@ static void test_an_unknown_species_has_a_graph_and_no_fish(void **state)
 }
 
 /* The recorded species was in a slot of the library. The slot now has the same species (`other` is
- * 0), another species (1), or a species with the same id and another number of keys (2). Only in
- * the first case may the fish be drawn. */
+ * 0), another species (1), or a species with the same id and another number of shape keys (2). Only
+ * in the first case may the fish be drawn. */
 static void test_only_the_recorded_species_is_shown(void **state)
 {
     (void)state;
