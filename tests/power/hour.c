@@ -77,7 +77,7 @@ static void live(struct hour *hour)
     struct input *input = &hour->input;
     input->pressed = 0;
     memset(input->coin_count, 0, sizeof input->coin_count);
-    /* The simulated hour covers four calendar days. */
+    /* The simulated hour covers four calendar days: one for every 15 minutes. */
     input->day = (uint16_t)(9800u + hour->core.game.tick / (900u * CORE_TICK_HZ));
     input->minute = (uint16_t)(hour->core.game.tick / CORE_TICK_HZ % 1440u);
     if (happens(hour, DRAW_COIN, 9) && !hour->output.coin_lockout) {

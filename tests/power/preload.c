@@ -1,10 +1,10 @@
 /* preload.c -- a library that is loaded into a real kiosk before libc (LD_PRELOAD).
  *
  * The library makes file calls fail, records the operations in the data folder, inserts coins, and
- * ends the kiosk by SIGKILL. KINGYO_FAULT_DIR is the data folder, and KINGYO_FAULT_TAPE is the tape
- * file (kiosk_tape.h). KINGYO_FAULT_SEED is the seed of the faults, the coins and the time of the
- * end. If KINGYO_FAULT_SYNCS is set, every sync fails permanently instead. The library reads from
- * the kiosk's status file which data is committed. */
+ * kills the kiosk with SIGKILL. KINGYO_FAULT_DIR is the data folder, and KINGYO_FAULT_TAPE is the
+ * file for the recorded operations (kiosk_tape.h). KINGYO_FAULT_SEED is the seed of the faults, the
+ * coins and the time of the SIGKILL. If KINGYO_FAULT_SYNCS is set, every sync fails permanently
+ * instead. The library reads the kiosk's status file to record which data are committed. */
 #include <SDL2/SDL.h>
 #include <dlfcn.h>
 #include <errno.h>

@@ -194,7 +194,7 @@ static int send(const struct plan *way, const char *folder)
     return fclose(file) == 0 && rename(part, path) == 0;
 }
 
-/* Returns 1 if a round is running and the player holds the poi. */
+/* Returns 1 if a round is running without a pause and the poi is connected. */
 static int can_play(void)
 {
     const struct game *game = &twin.core.game;

@@ -248,7 +248,7 @@ static int begin_sim(void **state)
     (void)state;
     clock_state = (struct clock_sim){ .now_ns = 1000 * MS };
     gamepad_sim_init(&sim, sim_clock_device(&clock_state), stall_view());
-    /* 250 reports per second that move the ring around and dip. */
+    /* The script has 250 reports per second, which move the ring around and dip it. */
     for (uint32_t i = 0; i < SCRIPT; i++) {
         script[i] = (struct gamepad_report){ .time_ns = (1000 + 4 * (uint64_t)i) * MS };
         script[i].axis[GAMEPAD_LEAD_X] = (int16_t)(32767.0f * f_sin((float)i * 0.02f));

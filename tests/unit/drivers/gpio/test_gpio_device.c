@@ -1,6 +1,6 @@
 /* test_gpio_device.c -- tests that each coin, fault and output passes exactly once between the GPIO
- * thread and the frame loop, which run at different rates. The GPIO lines are simulated, and their
- * time passes as fast as the thread runs. */
+ * thread and the frame loop, which run at different rates. The GPIO lines are simulated. Each wait
+ * of the thread advances their time at once, instead of taking real time. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

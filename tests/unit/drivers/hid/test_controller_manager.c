@@ -312,7 +312,8 @@ static void test_an_unwritable_mapping_is_reported_and_stays_in_use(void **state
 static void test_a_device_with_an_accepted_unwritable_mapping_stays_active(void **state)
 {
     (void)state;
-    /* The store has no thread in this test, so the write fails at once. */
+    /* The folder does not exist, and the store has no thread in this test, so each write fails at
+     * once. */
     snprintf(store.folder, sizeof store.folder, "/nowhere/pois");
     frame();
     teach();

@@ -239,9 +239,10 @@ static void test_fields_that_change_at_rest_are_no_axes(void **state)
     for (uint32_t step = LEARN_REST; step <= LEARN_DIP; step++) {
         for (uint32_t i = 0; i < 150; i++) {
             const float there = i > 100 ? 1.0f : 0.5f;
-            /* Sequence number of the report. */
+            /* The sequence number of the report changes even at rest. */
             wire_put_bits(&wire, 1, 48, 8, (int64_t)i);
-            wire_put_bits(&wire, 1, 216, 32, (int64_t)now_ms * 333); /* Clock of the gamepad. */
+            wire_put_bits(&wire, 1, 216, 32, (int64_t)now_ms * 333); /* The clock of the gamepad
+                                                                        changes even at rest. */
             wire_put_bits(&wire, 1, 120, 16, (int64_t)any(3));       /* The gyroscope. */
             send_motion(demo_device,
                         step == LEARN_LEFT    ? 1.0f - there

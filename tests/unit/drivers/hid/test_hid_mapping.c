@@ -104,8 +104,8 @@ static int is_keyboard(const char *name)
     return 0;
 }
 
-/* Calls `visit` for every device of the corpus. Returns the number of devices that have a
- * mapping. */
+/* Calls `visit` for the report descriptor of every device in the folder CORPUS. Returns the number
+ * of devices that have a mapping. */
 static uint32_t each_device(void (*visit)(const char *name, const struct hid_mapping *map))
 {
     DIR *folder = opendir(CORPUS);
@@ -205,7 +205,7 @@ static void test_a_playstation_gamepad_is_recognized_by_its_usb_ids(void **state
     assert_int_equal(known.source, HID_MAPPING_KNOWN);
     assert_int_equal(edge.source, HID_MAPPING_KNOWN);
     assert_int_equal(other.source, HID_MAPPING_AUTO);
-    /* OPTIONS is bit 69 of this gamepad's report. */
+    /* Bit 69 of this gamepad's report is the button OPTIONS, which must be mapped to START. */
     assert_int_equal(binding_of(&known, HID_ROLE_START)->bit_offset, 69);
     const struct hid_mapping fourth = map_of(KNOWN "054c-05c4-dualshock4", 0x054c, 0x05c4);
     assert_int_equal(fourth.source, HID_MAPPING_KNOWN);
@@ -222,7 +222,7 @@ static void test_a_known_mapping_that_does_not_match_the_descriptor_is_unused(vo
     assert_int_equal(map.style, HID_STYLE_POINTER);
 }
 
-/* Device 027 declares buttons of one bit with a range of 0 to 65535. */
+/* The buttons of device 027 have one bit each, but declare a range of 0 to 65535. */
 static void test_a_range_wider_than_its_field_is_limited_to_the_field(void **state)
 {
     (void)state;

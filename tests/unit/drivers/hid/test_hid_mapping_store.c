@@ -261,7 +261,7 @@ static void test_a_full_store_rejects_a_mapping_with_a_message(void **state)
 {
     const struct hid_mapping map = learned();
     (void)state;
-    /* The store works without a folder. */
+    /* Without a folder, the store must work too. */
     hid_mapping_store_open(&store, NULL, NULL, NULL);
     for (uint32_t i = 0; i < HID_MAPPING_STORE_MAX; i++) {
         const struct hid_identity who = identity((uint16_t)(i + 1u), 1, "");

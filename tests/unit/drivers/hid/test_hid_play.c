@@ -253,7 +253,7 @@ static void empty_over_bowl(void)
     reports(40);
 }
 
-/* Makes one attempt to catch a fish: dips the ring beside the fish, moves the ring below the fish,
+/* Makes one attempt to catch a fish. Dips the ring beside the fish, moves the ring below the fish,
  * lifts the fish and tips it into the bowl. */
 static void try_once(void)
 {

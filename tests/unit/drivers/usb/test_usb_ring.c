@@ -97,7 +97,7 @@ static void test_reports_pass_complete_and_in_order_and_the_last_is_never_lost(v
             continue;
         }
         assert_int_equal(result, 1);
-        /* The time stamp of a report is its number. */
+        /* Each report was written with its number as the time stamp. */
         assert_true(raw.time_ns >= next);
         next = (uint32_t)raw.time_ns + 1u;
         fill_bytes(bytes, size_of(next - 1u), next - 1u);

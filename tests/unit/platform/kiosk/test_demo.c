@@ -1,6 +1,6 @@
-/* test_demo.c -- Tests the demo mode, which plays a recording or a bot without a window. Each tick
- * of a recording is compared with its recorded digest, and the demo with a bot starts in a
- * round. */
+/* test_demo.c -- Tests the demo mode, which plays a recording or lets a bot play, without a window.
+ * In a recording, the digest of each tick is compared with the recorded one. A demo with a bot must
+ * start within a round. */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>

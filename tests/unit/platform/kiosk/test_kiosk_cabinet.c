@@ -34,7 +34,7 @@ static struct rig {
     uint64_t frame_ns;
     struct controller_command commands[ORDERS_MAX];
     uint32_t command_count;
-    int answer; /* Result of every call of the simulated switches. */
+    int answer; /* Value that each call of the simulated switches returns. */
     uint32_t asked[HAL_SWITCH_COUNT], level[HAL_SWITCH_COUNT], pulses[HAL_SWITCH_COUNT];
 } rig;
 

@@ -406,8 +406,8 @@ static void test_the_coin_slot_opens_for_test_or_play_and_the_meter_counts_all_c
     (void)state;
     assert_int_equal(rig.lockout, 1); /* The coin slot is locked because no controller works. */
     push(INPUT_TEST);
-    assert_int_equal(rig.lockout, 1); /* The coin slot stays locked because the menu sells no
-                                         credit. */
+    assert_int_equal(rig.lockout, 1); /* The coin slot stays locked, because no credit can be bought
+                                         while the menu is open. */
     point_at(menu_tag_of(MENU_DEVICES));
     push(INPUT_TEST);
     point_at(menu_tag_of(MENU_LINES));

@@ -37,7 +37,7 @@ static struct sdl_player {
                           towards `over_m`. */
     vec3 over_m;
     uint8_t dips;
-    float x, y; /* Window position of the finger that controls the poi. */
+    float x, y; /* Position in the window of the finger that moves the ring. */
     uint8_t second_is_down;
 } player;
 

@@ -97,8 +97,8 @@ static void test_a_correct_recording_verifies(void **state)
     assert_true(core_hash(&core) == hash);
 }
 
-/* The recording contains coins, and a visit to the menu in which controllers are plugged in,
- * unplugged and learned. */
+/* The recording contains coins and a visit to the operator's menu. In the menu, controllers are
+ * plugged in, unplugged and learned. */
 static void test_a_recording_of_the_operator_menu_verifies(void **state)
 {
     static struct output output;

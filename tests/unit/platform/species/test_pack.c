@@ -107,7 +107,7 @@ static void test_a_different_version_is_reported(void **state)
     assert_string_equal(why, "version: 2, but this program reads version 1");
 }
 
-/* One change that makes a valid species invalid, and a part of the expected error message. */
+/* A change that makes a valid species invalid, and a part of the error message that is expected. */
 struct harm {
     void (*change)(struct species_slot *slot);
     const char *why;

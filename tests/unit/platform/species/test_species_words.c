@@ -194,8 +194,8 @@ static void test_a_mark_has_a_kind_a_part_a_colour_and_settings(void **state)
     assert_int_equal(m[0].count, 3);
     assert_float_equal(m[0].slant, -0.2f, 0.0f);
     assert_int_equal(m[1].part, PART_DORSAL_2);
-    assert_float_equal(m[1].width, 0.15f, 0.0f); /* The mark names no width, so the default of 0.15
-                                                    applies. */
+    assert_float_equal(m[1].width, 0.15f, 0.0f); /* The species text gives no width for this mark,
+                                                    so the default of 0.15 applies. */
     assert_int_equal(m[2].count, SIDE_RIGHT);
 }
 

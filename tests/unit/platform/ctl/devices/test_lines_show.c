@@ -1,4 +1,5 @@
-/* test_lines_show.c -- Tests the output of kingyoctl lines with simulated GPIO lines. */
+/* test_lines_show.c -- Tests the output of the command `kingyoctl lines` with simulated GPIO
+ * lines. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,8 +18,8 @@
 static struct gpio_lines_sim sim;
 static struct gpio_thread gpio;
 
-/* Simulates the GPIO lines until `time_ms`. Returns the output of kingyoctl lines. The caller frees
- * the output. */
+/* Simulates the GPIO lines until `time_ms`. Returns the output of the command `kingyoctl lines`,
+ * which the caller must free. */
 static char *shown(const struct gpio_sim_event *events, uint32_t count, uint64_t time_ms)
 {
     struct gpio_sim_events script = { .events = events, .count = count };

@@ -31,7 +31,7 @@ static const char *const mark_names[] = {
 static struct species_text text;
 static struct loft loft;
 static struct mesh_tables tables;
-static struct species_mesh other; /* Mesh of the fish of `loft` with a different tessellation. */
+static struct species_mesh other; /* Mesh of the built-in fish, but with another tessellation. */
 static struct species_slot slot;
 static struct import_mesh mesh;
 static struct refit_marks marks;
@@ -118,7 +118,7 @@ static void test_fitting_a_fry_to_the_adult_finds_each_vertex(void **state)
     mark_truth(&species_wakin.lod[0], truth);
     make_mesh(adult, 0.0f);
     pack_copy(&species_wakin, &slot);
-    refit_key(&slot, 1, &mesh, &marks, &result); /* Key 1 is the fry, which is 20 mm long. */
+    refit_key(&slot, 1, &mesh, &marks, &result); /* Shape key 1 is the fry, which is 20 mm long. */
     tell("fry onto adult, fit to mesh", &result.to_mesh);
     tell("fry onto adult, mesh to fit", &result.from_mesh);
     shape_of(&slot.species.lod[0], n, 1, positions);

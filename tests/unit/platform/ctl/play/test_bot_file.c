@@ -69,7 +69,8 @@ static void test_one_key_changes_one_field_and_no_other(void **state)
     assert_true(is(&read, &expected));
 }
 
-/* All twenty keys have different values, so that two exchanged fields would be detected. */
+/* All twenty values of the bot file are different, so that two exchanged fields would be
+ * detected. */
 static void test_every_key_reaches_its_field(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_tank_files.c -- Tests the input files of `kingyoctl tank`: the path of a poi and the
- * positions of fish. */
+/* test_tank_files.c -- Tests the input files of `kingyoctl tank`, which contain the path of a poi
+ * and the positions of fish. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

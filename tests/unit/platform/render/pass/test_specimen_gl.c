@@ -135,8 +135,8 @@ static void test_a_grown_goldfish_is_red_and_a_tint_covers_it(void **state)
     assert_true(pixel[2] > 120 && pixel[2] > pixel[0]);
 }
 
-/* A mature goldfish has the red and white pattern of its `look`. A young goldfish has the red
- * colour of its species. */
+/* A mature goldfish has the red and white pattern that the number `look` selects. A young goldfish
+ * has the red colour of its species. */
 static void test_a_mature_goldfish_has_its_pattern_and_a_young_one_its_coat(void **state)
 {
     (void)state;
@@ -150,7 +150,7 @@ static void test_a_mature_goldfish_has_its_pattern_and_a_young_one_its_coat(void
     fish.ripe = fish.maturity = 1.0f;
     picture(pictures[0], &fish, 0.0f);
     assert_true(pixel[1] > 140 && pixel[2] > 120);
-    fish.look = 0; /* This pattern is completely red. */
+    fish.look = 0; /* The pattern number 0 is completely red. */
     picture(pictures[0], &fish, 0.0f);
     assert_true(pixel[0] > 2 * pixel[1]);
 }

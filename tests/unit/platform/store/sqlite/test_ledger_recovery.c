@@ -1,5 +1,5 @@
-/* test_ledger_recovery.c -- Tests the recovery of entries into a new database, from a damaged
- * database and from the mirror. */
+/* test_ledger_recovery.c -- Tests how ledger entries are recovered into a new database, from a
+ * damaged database and from the mirror (a second file with the newest entries). */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -218,7 +218,7 @@ static void test_the_reason_is_shown_if_no_controller_is_plugged_in(void **state
     assert_int_equal(count_kind(UI_GLYPH), without + 19u);
 }
 
-/* Sets the longest possible reason of a rejected file, with letters and spaces as in normal text.
+/* Sets the longest reason that a rejected file can have, with letters and spaces as in normal text.
  * Returns the number of letters. */
 static uint32_t set_reason(const char *name)
 {
