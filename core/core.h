@@ -54,7 +54,7 @@ bool core_is_fresh(const struct core *core);
 
 /* Progress of one player in the running round. */
 struct core_player_status {
-    uint8_t plays; /* 1 if the player has had a poi in use in this round, otherwise 0. */
+    bool plays;    /* True if the player has had a poi in use in this round. */
     uint8_t fouls; /* Number of the player's counted fouls. */
     uint32_t caught;
     struct poi_target hand_pose; /* Target pose of the player's poi in the last tick. */

@@ -1,5 +1,6 @@
 /* huge_pages.c -- allocates memory that is aligned to 2 MiB, so that the kernel can use pages of
- * 2 MiB. */
+ * 2 MiB. The function has a file of its own because the benchmark of the tank links it without the
+ * rest of the platform. */
 #include "platform/huge_pages.h"
 
 #include <stdlib.h>

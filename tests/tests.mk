@@ -98,7 +98,7 @@ $(BUILD)/tests/unit/platform/kiosk/test_own_memory: TRAP := -Wl,--wrap=malloc,--
     -Wl,--wrap=strdup,--wrap=fopen
 
 # Wraps core_init(), so that it can refuse the second core of the sweep.
-$(BUILD)/tests/unit/platform/kiosk/test_pin_sweep: TRAP := -Wl,--wrap=core_init
+$(BUILD)/tests/unit/platform/kiosk/recorder/test_pin_sweep: TRAP := -Wl,--wrap=core_init
 
 # Wraps the system calls that read a live device.
 $(BUILD)/tests/unit/platform/ctl/devices/test_hid_source: TRAP := -Wl,--wrap=open,--wrap=ioctl,--wrap=read

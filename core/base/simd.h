@@ -15,6 +15,7 @@
  * on every target. */
 #pragma once
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -45,7 +46,7 @@
 #endif
 
 /* Returns true if the kernels were built for this number of lanes. 0 means 4 lanes. */
-static inline int simd_is_built(uint32_t lanes)
+static inline bool simd_is_built(uint32_t lanes)
 {
     return lanes == 0u || lanes == 4u || lanes == SIMD_LANES_MAX;
 }

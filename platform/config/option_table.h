@@ -30,7 +30,7 @@ enum option_kind {
     OPTION_WHOLE,   /* The value is a whole number in [min, max]. The target is a uint32_t. */
     OPTION_DECIMAL, /* The value is a number in [min, max]. The target is a double. */
     /* The value is one of the words in `choices`. The target is a uint8_t, which is set to the
-     * index of the word. */
+     * index of the word, or a bool if there are two words. */
     OPTION_CHOICE,
     OPTION_CUSTOM, /* The value is parsed by the function `set`. */
     /* The row is an argument: a word of the command line without an option name. The target is a

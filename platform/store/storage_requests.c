@@ -93,7 +93,7 @@ void storage_update_sealed(struct storage *storage)
     const struct rank_row *rows = &storage->file.content.memory.ranking.row[0][0][0];
     for (uint32_t i = 0; i < LEDGER_RANKS; i++) {
         const uint32_t id = rows[i].caught > 0 ? rows[i].round_id : 0u;
-        const int has = id != 0 && ledger_file_has_replay(&storage->file, id);
+        const bool has = id != 0 && ledger_file_has_replay(&storage->file, id);
         atomic_store_explicit(&storage->sealed[i], has ? id : 0u, memory_order_relaxed);
     }
 }

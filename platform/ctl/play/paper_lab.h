@@ -24,7 +24,7 @@ struct paper_options {
      * 2, the paper is perpendicular to the motion. */
     float tilt_rad;
     float speed_m_s; /* Speed of the carriage that moves the poi, in [0, 5] m/s. */
-    uint8_t in_air;  /* 1 if the poi moves in air. 0 if the poi moves deep under water. */
+    bool in_air;     /* True if the poi moves in air. False if the poi moves deep under water. */
     bool upside_down;
     bool still; /* True if the fish on the paper do not slap the paper with their tails. */
     /* True for the membrane formula alone, false for the full paper model. The full model varies

@@ -231,11 +231,11 @@ int ledger_file_renew_replay(struct ledger_file *file, uint32_t round_id, const 
     return ledger_log_result(file, sql_commit(file->db, code));
 }
 
-int ledger_file_has_replay(struct ledger_file *file, uint32_t round_id)
+bool ledger_file_has_replay(struct ledger_file *file, uint32_t round_id)
 {
     sqlite3_stmt *has = NULL;
     if (ledger_statement(file, HAS_REPLAY, &has) != SQLITE_OK) {
-        return 0;
+        return false;
     }
     sqlite3_bind_int64(has, 1, round_id);
     const int code = sqlite3_step(has);

@@ -165,9 +165,9 @@ int ledger_file_next_replay(struct ledger_file *file, uint32_t round_id, uint32_
 int ledger_file_renew_replay(struct ledger_file *file, uint32_t round_id, const void *bytes,
                              size_t size);
 
-/* Returns 1 if the round has a replay. Returns 0 if the round has no replay or the file cannot be
- * read. */
-int ledger_file_has_replay(struct ledger_file *file, uint32_t round_id);
+/* Returns true if the round has a replay. Returns false if the round has no replay or the file
+ * cannot be read. */
+bool ledger_file_has_replay(struct ledger_file *file, uint32_t round_id);
 
 /* Deletes the replays of rounds that are no longer ranked. Also deletes the oldest entries and
  * rounds if there are more than the maximum number. Returns quickly if there is little to delete.
