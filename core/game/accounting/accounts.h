@@ -250,12 +250,8 @@ void credit_request(struct accounts *accounts, uint32_t tick, struct output *out
 bool credit_is_awaited(const struct accounts *accounts, const struct core_config *config,
                        uint32_t tick);
 
-/* Closes the balance of a game that ended without a result: a visit to the growth lab, or a round
- * that no player joined. */
-void credit_close_ended(struct accounts *accounts, const struct game *game, struct output *output);
-
 /* Takes one credit from the balance for the game `what` (enum game_mode, or CHOICE_LAB), which
- * starts in this tick. The caller must check credit_can_play() before. */
+ * starts in this tick. The caller must check credit_can_play() before. No game may be open. */
 void credit_take(struct accounts *accounts, const struct game *game,
                  const struct core_config *config, uint8_t what, struct output *output);
 

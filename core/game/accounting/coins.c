@@ -237,7 +237,15 @@ void coins_tick(struct accounts *accounts, const struct game *game, const struct
 {
     const struct settings *settings = &config->persistent.settings;
     CORE_ASSERT(accounts->ledger.saved_id <= accounts->ledger.last_id);
-    credit_close_ended(accounts, game, output);
+    const bool runs =
+        game->phase == PHASE_READY || game->phase == PHASE_ROUND || game->phase == PHASE_LAB;
+    if (accounts->ledger.balance.open != PAYMENT_NONE && !runs) {
+        /* The game ended without a result. It was a visit to the growth lab, or a round that no
+         * player joined. */
+        const struct ledger_entry left = { .kind = LEDGER_LEFT };
+        accounts->ledger.balance.open = PAYMENT_NONE;
+        ledger_write(accounts, game->tick, &left, output);
+    }
     if (game->phase == PHASE_MENU) { /* Coins inserted in the operator's menu are tests. The coin
                                         meter counts the coins, but the balance does not change. */
         for (uint8_t line = 0; line < COIN_LINE_COUNT; line++) {

@@ -65,18 +65,6 @@ bool credit_is_awaited(const struct accounts *accounts, const struct core_config
            credit_can_play(&accounts->ledger, config);
 }
 
-void credit_close_ended(struct accounts *accounts, const struct game *game, struct output *output)
-{
-    CORE_ASSERT(game->phase <= PHASE_LEADERBOARD);
-    const bool runs =
-        game->phase == PHASE_READY || game->phase == PHASE_ROUND || game->phase == PHASE_LAB;
-    if (accounts->ledger.balance.open != PAYMENT_NONE && !runs) {
-        const struct ledger_entry entry = { .kind = LEDGER_LEFT };
-        accounts->ledger.balance.open = PAYMENT_NONE;
-        ledger_write(accounts, game->tick, &entry, output);
-    }
-}
-
 void credit_take(struct accounts *accounts, const struct game *game,
                  const struct core_config *config, uint8_t what, struct output *output)
 {
@@ -84,7 +72,7 @@ void credit_take(struct accounts *accounts, const struct game *game,
     struct balance *balance = &accounts->ledger.balance;
     CORE_ASSERT(credit_can_play(&accounts->ledger, config));
     CORE_ASSERT(what < CHOICE_COUNT);
-    credit_close_ended(accounts, game, output);
+    CORE_ASSERT(balance->open == PAYMENT_NONE); /* coins_tick() closed the previous game. */
     const struct ledger_entry entry = {
         .kind = LEDGER_BEGIN,
         .detail = what,

@@ -183,6 +183,23 @@ static void test_a_kiosk_with_only_the_lab_opens_it_by_itself_only_in_free_play(
     assert_int_equal(core.game.phase, PHASE_LAB);
 }
 
+/* coins_tick() closes an ended game before each phase runs. Therefore credit_take() never replaces
+ * the payment of an open game. */
+static void test_a_credit_is_not_taken_while_a_game_is_open(void **state)
+{
+    (void)state;
+    drop(PRICE);
+    step();
+    assert_true(credit_can_play(&core.game.accounts.ledger, &core.config));
+    core.game.accounts.ledger.balance.open = PAYMENT_FREE;
+    expect_assert_failure(
+        credit_take(&core.game.accounts, &core.game, &core.config, MODE_FESTIVAL, &output));
+    step();
+    assert_int_equal(balance()->open, PAYMENT_NONE);
+    credit_take(&core.game.accounts, &core.game, &core.config, MODE_FESTIVAL, &output);
+    assert_int_equal(balance()->open, PAYMENT_PAID);
+}
+
 static void test_a_permanently_lost_poi_refunds_the_credit(void **state)
 {
     (void)state;
@@ -331,6 +348,7 @@ int main(void)
         cmocka_unit_test_setup(test_leaving_the_mode_selection_costs_no_credit, setup_paid),
         cmocka_unit_test_setup(test_the_growth_lab_costs_a_credit_too, setup_paid),
         cmocka_unit_test(test_a_kiosk_with_only_the_lab_opens_it_by_itself_only_in_free_play),
+        cmocka_unit_test_setup(test_a_credit_is_not_taken_while_a_game_is_open, setup_paid),
         cmocka_unit_test_setup(test_a_permanently_lost_poi_refunds_the_credit, setup_paid),
         cmocka_unit_test_setup(test_a_restored_poi_refunds_no_credit, setup_paid),
         cmocka_unit_test(test_a_free_round_is_not_refunded),
