@@ -136,8 +136,9 @@ static int sync_file(const char *path)
 
 /* Makes the replacement and renames it to STORAGE_NEW_SUFFIX. If the database is missing, the
  * marker file is created before the rename. The loss is therefore reported even after a power cut
- * between the two steps. */
-static int make_new(struct storage *storage, bool is_missing, unsigned number)
+ * between the two steps. `*uses_backup` is true if the replacement contains the backup, which may
+ * have no entries. */
+static int make_new(struct storage *storage, bool is_missing, unsigned number, bool *uses_backup)
 {
     /* Single writes are not synced, because no process reads the file before it is complete.
      * Syncing once at the end saves time on a slow card. */
@@ -147,18 +148,17 @@ static int make_new(struct storage *storage, bool is_missing, unsigned number)
     remove_all(storage, PART_SUFFIX);
     /* The backup is opened read-only, so that a backup with an older schema can be copied too. */
     struct ledger_file file = { .refusal = SQLITE_READONLY };
-    int code = SQLITE_OK;
-    if (storage_has_path(backup.text) &&
-        sql_open(backup.text, SQLITE_OPEN_READONLY, NULL, &file.db) == SQLITE_OK &&
-        ledger_check(file.db) == SQLITE_OK) {
-        code = ledger_backup_make(&file, part.text, false);
-    }
+    *uses_backup = storage_has_path(backup.text) &&
+                   sql_open(backup.text, SQLITE_OPEN_READONLY, NULL, &file.db) == SQLITE_OK &&
+                   ledger_check(file.db) == SQLITE_OK;
+    int code = *uses_backup ? ledger_backup_make(&file, part.text, false) : SQLITE_OK;
     ledger_file_close(&file);
     code = code == SQLITE_OK ? ledger_file_open(&file, part.text, &unsynced) : code;
     /* The pages of the backup are intact, but its settings, audits or ranking are out of range. The
      * replacement is therefore made without the backup. */
     if (code == SQLITE_CORRUPT) {
         remove_all(storage, PART_SUFFIX);
+        *uses_backup = false;
         code = ledger_file_open(&file, part.text, &unsynced);
     }
     if (code == SQLITE_OK) {
@@ -190,15 +190,15 @@ int storage_rebuild(struct storage *storage, bool is_missing)
     CORE_ASSERT(storage->path[0]);
     CORE_ASSERT(!storage->how.vfs);
     const unsigned number = next_number(storage);
-    const int code = make_new(storage, is_missing, number);
+    bool uses_backup;
+    const int code = make_new(storage, is_missing, number, &uses_backup);
     if (code != SQLITE_OK) {
         return code;
     }
     /* A backup that was not used may be the only copy of its entries. It must be renamed before the
      * next backup takes its name. */
     const bool has_unused_backup =
-        storage->from_backup == 0 &&
-        storage_has_bytes(storage_path(storage, STORAGE_BACKUP_SUFFIX, "").text);
+        !uses_backup && storage_has_bytes(storage_path(storage, STORAGE_BACKUP_SUFFIX, "").text);
     if ((has_unused_backup && storage_quarantine_other(storage, STORAGE_BACKUP_SUFFIX) != 0) ||
         (storage->salvaged.has_others_tail &&
          storage_quarantine_other(storage, STORAGE_MIRROR_SUFFIX) != 0)) {

@@ -167,6 +167,25 @@ static void test_a_damaged_backup_is_set_aside(void **state)
     assert_int_equal(about.st_size, 29);
 }
 
+/* A kiosk that makes its first backup before the first coin has a valid backup without entries. */
+static void test_a_valid_backup_without_entries_is_used_and_not_set_aside(void **state)
+{
+    struct fixture *fixture = *state;
+    char backup[160], aside[160], command[400];
+    open_without_thread(fixture);
+    fixture->device.ledger.ops->close(fixture->device.ledger.self);
+    path_beside(fixture, STORAGE_BACKUP_SUFFIX, backup);
+    snprintf(command, sizeof command, "cp %s %s", fixture->file, backup);
+    assert_int_equal(system(command), 0);
+    assert_int_equal(unlink(fixture->file), 0);
+    open_without_thread(fixture);
+    assert_non_null(strstr(text(fixture), "missing: 0 entries from the backup, 0 later ones"));
+    assert_int_equal(access(backup, F_OK), 0);
+    path_beside(fixture, STORAGE_BACKUP_SUFFIX STORAGE_OTHER_SUFFIX "1", aside);
+    assert_int_not_equal(access(aside, F_OK), 0);
+    work_rounds(fixture, 1, 2);
+}
+
 static void test_a_missing_file_is_restored_from_its_backup(void **state)
 {
     struct fixture *fixture = *state;
@@ -250,6 +269,7 @@ int main(void)
         IN_A_FOLDER(test_without_a_backup_a_new_database_is_created),
         IN_A_FOLDER(test_a_damaged_backup_is_set_aside),
         IN_A_FOLDER(test_logs_beside_the_previous_backup_are_deleted),
+        IN_A_FOLDER(test_a_valid_backup_without_entries_is_used_and_not_set_aside),
         IN_A_FOLDER(test_a_missing_file_is_restored_from_its_backup),
         IN_A_FOLDER(test_a_folder_in_place_of_the_database_is_quarantined),
         IN_A_FOLDER(test_a_file_whose_status_cannot_be_read_is_not_treated_as_missing),
