@@ -2,6 +2,7 @@
 #include "platform/audio.h"
 
 #include <dlfcn.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -10,12 +11,22 @@
 
 #include "core/base/panic.h"
 #include "platform/os/clock.h"
+#include "platform/os/panic.h"
 
-/* Renders one buffer of samples. SDL calls this function on its audio thread. */
+/* Stack on which SDL's audio thread handles a fatal signal. SDL starts one thread at a time. */
+static uint8_t signal_stack[PANIC_STACK_SIZE];
+
+/* Renders one buffer of samples. SDL calls this function on its audio thread, which SDL starts
+ * without a signal stack. The first call on a thread therefore installs one. The address sanitizer
+ * has installed its own, which must stay. */
 static void render(void *context, Uint8 *bytes, int size)
 {
     CORE_ASSERT(size >= 0);
     struct audio *audio = context;
+    stack_t present, own = { .ss_sp = signal_stack, .ss_size = sizeof signal_stack };
+    if (sigaltstack(NULL, &present) == 0 && (present.ss_flags & SS_DISABLE)) {
+        sigaltstack(&own, NULL);
+    }
     unsigned taken = atomic_load(&audio->taken);
     while (taken != atomic_load(&audio->pushed)) {
         synth_play(&audio->synth, &audio->queue[taken % AUDIO_QUEUE_MAX]);

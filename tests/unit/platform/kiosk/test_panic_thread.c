@@ -14,6 +14,7 @@
 
 #include <cmocka.h>
 
+#include "platform/audio.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/recorder/panic_recovery.h"
 #include "platform/os/panic.h"
@@ -65,9 +66,40 @@ static void *overflow_thread(void *self)
     return NULL;
 }
 
-/* Simulates a kiosk that records some ticks and then overflows the stack of one thread. The
- * function does not return. */
-static void run_kiosk(const char *folder, bool is_main_thread)
+/* Replaces the synthesizer. A played sound overflows the stack of SDL's audio thread. */
+void synth_init(struct synth *synth)
+{
+    (void)synth;
+}
+
+void synth_play(struct synth *synth, const struct sound_event *event)
+{
+    (void)synth, (void)event;
+    overflow(0);
+}
+
+void synth_render(struct synth *synth, int16_t *out, uint32_t frame_count)
+{
+    (void)synth, (void)out, (void)frame_count;
+}
+
+static void *play_sound(void *self)
+{
+    static struct audio audio;
+    static const struct sound_event event = { .sound = SOUND_CATCH, .gain = 1.0f };
+    const struct hal_audio device = audio_device(&audio);
+    setenv("SDL_AUDIODRIVER", "dummy", 1);
+    if (device.ops->open(device.self) == HAL_OK) {
+        device.ops->play(device.self, &event);
+        sleep(20); /* The audio thread ends the process earlier. */
+    }
+    return self;
+}
+
+/* Simulates a kiosk that records some ticks and then overflows the stack of one thread. The thread
+ * is the caller if `run` is null, otherwise a new thread that runs `run`. The function does not
+ * return. */
+static void run_kiosk(const char *folder, void *(*run)(void *self))
 {
     const struct rlimit no_core_file = { 0 };
     pthread_t thread;
@@ -75,15 +107,15 @@ static void run_kiosk(const char *folder, bool is_main_thread)
     record_ticks();
     panic_evidence_open(&evidence, folder, &chapters, &core);
     panic_prepare(write_evidence, &evidence);
-    if (is_main_thread) {
+    if (!run) {
         overflow(0);
-    } else if (thread_start(&thread, overflow_thread, NULL) == 0) {
+    } else if (thread_start(&thread, run, NULL) == 0) {
         pthread_join(thread, NULL);
     }
     _exit(1);
 }
 
-static void assert_evidence(bool is_main_thread)
+static void assert_evidence(void *(*run)(void *self))
 {
     char folder[] = "/tmp/kingyo-overflow-XXXXXX", file[64], command[64];
     struct replay_totals totals;
@@ -91,7 +123,7 @@ static void assert_evidence(bool is_main_thread)
     assert_non_null(mkdtemp(folder));
     const pid_t child = fork();
     if (child == 0) {
-        run_kiosk(folder, is_main_thread);
+        run_kiosk(folder, run);
     }
     assert_true(child > 0);
     assert_int_equal(waitpid(child, &status, 0), child);
@@ -108,13 +140,19 @@ static void assert_evidence(bool is_main_thread)
 static void test_a_stack_overflow_of_the_main_thread_leaves_a_replay(void **state)
 {
     (void)state;
-    assert_evidence(true);
+    assert_evidence(NULL);
 }
 
 static void test_a_stack_overflow_of_another_thread_leaves_a_replay(void **state)
 {
     (void)state;
-    assert_evidence(false);
+    assert_evidence(overflow_thread);
+}
+
+static void test_a_stack_overflow_of_the_audio_thread_leaves_a_replay(void **state)
+{
+    (void)state;
+    assert_evidence(play_sound);
 }
 
 static void *read_signal_stack(void *self)
@@ -143,6 +181,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_stack_overflow_of_the_main_thread_leaves_a_replay),
         cmocka_unit_test(test_a_stack_overflow_of_another_thread_leaves_a_replay),
+        cmocka_unit_test(test_a_stack_overflow_of_the_audio_thread_leaves_a_replay),
         cmocka_unit_test(test_each_thread_has_its_own_signal_stack),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
