@@ -17,6 +17,7 @@
 
 #include "core/base/panic.h"
 #include "platform/os/file.h"
+#include "platform/os/log.h"
 
 int sql_run(sqlite3 *db, const char *text)
 {
@@ -144,14 +145,16 @@ static int open_regular(const char *path, int flags, int mode)
         return open(path, flags | O_CLOEXEC);
     }
     /* Databases, logs and copies contain the hash of the operator's PIN and the income of the
-     * kiosk. Therefore only the owner may read a new file. If an older database is readable for all
-     * users, only its owner and group may read new files that belong to it. */
+     * kiosk. Therefore only the owner may read a new file. A file with access for all users is from
+     * an older version of Kingyo and becomes private too. Any other mode is the operator's choice
+     * and stays. */
     const mode_t private = mode == SQLITE_NEW_FILE ? S_IRUSR | S_IWUSR : (mode_t)mode & 0770;
     const int handle = file_handle(path, flags, private);
     if (handle >= 0 && fstat(handle, &about) == 0) {
-        if ((about.st_mode & 0007) != 0 && (flags & O_ACCMODE) == O_RDWR) {
-            fchmod(handle, about.st_mode & 0770); /* fchmod() fails for users other than the owner.
-                                                     The error is ignored. */
+        /* fchmod() fails for users other than the owner. The error is ignored. */
+        if ((about.st_mode & 0007) != 0 && (flags & O_ACCMODE) == O_RDWR &&
+            fchmod(handle, S_IRUSR | S_IWUSR) == 0) {
+            log_print(LOG_LEVEL_WARNING, "%s: all users had access; its mode is 0600 now", path);
         }
     } else if (handle < 0 && errno == EISDIR && (flags & O_ACCMODE) == O_RDONLY) {
         return open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);

@@ -237,6 +237,47 @@ static void test_a_ranked_round_has_a_seal_while_its_replay_is_stored(void **sta
     assert_false(has_replay(fixture, 1));
 }
 
+/* Opens and closes the store of a database with the mode `before`. Asserts that the mode is `after`
+ * then, and that the log has `lines` lines. */
+static void assert_mode(struct fixture *fixture, mode_t before, mode_t after, int lines)
+{
+    char path[160], log[1024];
+    struct stat about;
+    path_beside(fixture, ".log", path);
+    assert_int_equal(chmod(fixture->file, before), 0);
+    fflush(stderr);
+    const int saved = dup(STDERR_FILENO);
+    assert_non_null(freopen(path, "w", stderr));
+    open_without_thread(fixture);
+    fixture->device.ledger.ops->close(fixture->device.ledger.self);
+    fflush(stderr);
+    assert_true(dup2(saved, STDERR_FILENO) >= 0);
+    close(saved);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    int count = 0;
+    while (fgets(log, sizeof log, file)) {
+        assert_non_null(strstr(log, "kingyo.db: all users had access; its mode is 0600 now"));
+        count++;
+    }
+    fclose(file);
+    assert_int_equal(count, lines);
+    assert_int_equal(stat(fixture->file, &about), 0);
+    assert_int_equal(about.st_mode & 0777, after);
+}
+
+/* Older versions created the database with mode 0644. A mode without access for all users is the
+ * operator's choice. */
+static void test_a_database_with_access_for_all_users_becomes_private(void **state)
+{
+    struct fixture *fixture = *state;
+    fill_and_close(fixture);
+    assert_mode(fixture, 0644, 0600, 1);
+    assert_mode(fixture, 0600, 0600, 0);
+    assert_mode(fixture, 0640, 0640, 0);
+    assert_mode(fixture, 0660, 0660, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -250,6 +291,7 @@ int main(void)
         IN_A_FOLDER(test_an_unwritable_folder_gives_a_one_line_message),
         IN_A_FOLDER(test_a_missing_data_option_is_reported),
         IN_A_FOLDER(test_a_file_that_is_not_a_database_is_quarantined),
+        IN_A_FOLDER(test_a_database_with_access_for_all_users_becomes_private),
         IN_A_FOLDER(test_sqlite_has_a_hard_memory_limit),
         cmocka_unit_test_setup_teardown(test_a_ranked_round_has_a_seal_while_its_replay_is_stored,
                                         set_up, tear_down),
