@@ -54,9 +54,11 @@ LIB_LIBS = $(eval LIB_LIBS := $$(shell pkg-config --libs $(PACKAGES)))$(LIB_LIBS
 
 # What the build finds on this machine. Objects depend on these files, which are rewritten only when their text changes.
 # Commands may therefore run in any order, and packages may be installed or removed between them. FOUND lists everything.
-# Programs that link no library (core, kingyo-poi) depend only on the compilers and flags.
+# Programs that link no library (core, kingyo-poi) depend only on the compilers and flags. Objects that clang always
+# compiles (fuzz targets, monkey test, variants) also depend on FOUND_CLANG, so that installing clang recompiles no others.
 FOUND := $(BUILD)/found.txt
 FOUND_TOOLS := $(BUILD)/found-tools.txt
+FOUND_CLANG := $(BUILD)/found-clang.txt
 # Evaluated here, because a target with flags of its own passes these flags to its prerequisites.
 FOUND_FLAGS := $(CORE_CFLAGS) $(HARDEN_CFLAGS) $(TIME_CFLAGS)
 replace_if_other = { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
@@ -139,6 +141,12 @@ $(BUILD)/%.a:
 $(FOUND_TOOLS): always
 	@mkdir -p $(@D)
 	@{ echo 'compiler $(CC)'; $(CC) --version | head -1; echo 'flags $(FOUND_FLAGS)'; } >$@.new
+	@$(replace_if_other)
+
+$(FOUND_CLANG): always
+	@mkdir -p $(@D)
+	@{ for cc in $(sort clang $(FUZZ_CC) $(MONKEY_CC)); do echo "$$cc $$($$cc --version 2>/dev/null | head -1)"; done; \
+	    echo 'fuzz $(FUZZ_CFLAGS)'; echo 'monkey $(MONKEY_SAN)'; } >$@.new
 	@$(replace_if_other)
 
 $(FOUND): $(FOUND_TOOLS) always

@@ -39,7 +39,25 @@ gpiod_changes() {
         grep -q 'gpio_lines2' "$work/out" && ! grep -q 'gpio_lines1' "$work/out"
 }
 
-echo 1..7
+# Objects of the fuzz targets. A wrapper of clang prints the version that a file names.
+cat >"$work/bin/other-clang" <<END
+#!/bin/sh
+[ "\$1" != --version ] || exec cat "$work/version"
+exec clang "\$@"
+END
+chmod +x "$work/bin/other-clang"
+echo 'clang version 1' >"$work/version"
+fuzz_builds() { # WORDS...: Counts the compiled objects of fuzz targets.
+    make BUILD="$tree" FUZZ_CC="$work/bin/other-clang" "$tree/fuzz/core/base/rng.o" "$core" "$@" >"$work/out" 2>&1 ||
+        { cat "$work/out"; return 1; }
+    cat "$work/out"
+    compiled=$(grep -c '^  CC    .*(to be fuzzed)' "$work/out") || true
+}
+fuzz_is_still() { fuzz_builds && fuzz_builds && [ "$compiled" -eq 0 ]; }
+clang_changes() { echo 'clang version 2' >"$work/version" && fuzz_builds && [ "$compiled" -eq 1 ] && [ "$(grep -c '^  CC ' "$work/out")" -eq 1 ]; }
+fuzz_flags_change() { fuzz_builds FUZZ_CFLAGS="-O1 -I. -I$tree/generated" && [ "$compiled" -eq 1 ]; }
+
+echo 1..10
 if [ -d /usr/include/assimp ]; then
     check 'a build without assimp compiles no object that reads its headers' starts_without
     check 'a second build compiles nothing' is_still
@@ -52,3 +70,10 @@ else
 fi
 check 'other compiler flags recompile everything' flags_change
 check 'another libgpiod recompiles the shell with its own sources' gpiod_changes
+if command -v clang >/dev/null; then
+    check 'a second build compiles no fuzz target' fuzz_is_still
+    check 'another clang recompiles the fuzz targets alone' clang_changes
+    check 'other fuzz flags recompile the fuzz targets' fuzz_flags_change
+else
+    for _ in 1 2 3; do skip 'the fuzz targets follow clang' 'clang is not installed'; done
+fi

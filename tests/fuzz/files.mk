@@ -29,12 +29,12 @@ $(FUZZ)/file_seeds: $(BUILD)/tests/fuzz/file_seeds.o $(BUILD)/platform/panic_cor
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-$(FUZZ)/core/%_8.o: core/%.c
+$(FUZZ)/core/%_8.o: core/%.c $(FOUND_TOOLS) $(FOUND_CLANG)
 	@mkdir -p $(@D)
 	$(call step,CC,$< (8 lanes, to be fuzzed))
 	$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) $(WIDE_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
-$(FUZZ)/generated/%.o: $(BUILD)/generated/%.c | generated
+$(FUZZ)/generated/%.o: $(BUILD)/generated/%.c $(FOUND) $(FOUND_CLANG) | generated
 	@mkdir -p $(@D)
 	$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 

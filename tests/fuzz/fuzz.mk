@@ -45,7 +45,7 @@ $(FUZZ_BIN):
 	$(call step,LINK,$@)
 	$(Q)$(FUZZ_CC) -fsanitize=fuzzer,address,undefined -o $@ $^ -lm
 
-$(FUZZ)/%.o: %.c $(FOUND) | generated
+$(FUZZ)/%.o: %.c $(FOUND) $(FOUND_CLANG) | generated
 	@mkdir -p $(@D)
 	$(call step,CC,$< (to be fuzzed))
 	$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) $(DEP_FLAGS) -c -o $@ $<

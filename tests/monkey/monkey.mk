@@ -24,12 +24,12 @@ $(MONKEY)/monkey $(MONKEY)/kingyo: $(MONKEY_OBJ)
 	$(Q)$(MONKEY_CC) $(MONKEY_SAN) -o $@ $^ $(HOST_LIBS)
 
 $(MONKEY)/core/%.o $(MONKEY)/core/%_8.o: MONKEY_CFLAGS += -ffreestanding -fno-math-errno -Wno-psabi
-$(MONKEY)/core/%_8.o: core/%.c $(FOUND) | generated
+$(MONKEY)/core/%_8.o: core/%.c $(FOUND) $(FOUND_CLANG) | generated
 	@mkdir -p $(@D)
 	$(call step,CC,$< (8 lanes, sanitized))
 	$(Q)$(MONKEY_CC) $(MONKEY_CFLAGS) $(WIDE_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
-$(MONKEY)/%.o: %.c $(FOUND) | generated
+$(MONKEY)/%.o: %.c $(FOUND) $(FOUND_CLANG) | generated
 	@mkdir -p $(@D)
 	$(call step,CC,$< (sanitized))
 	$(Q)$(MONKEY_CC) $(MONKEY_CFLAGS) $(DEP_FLAGS) -c -o $@ $<

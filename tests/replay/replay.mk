@@ -5,6 +5,8 @@ VARIANTS := gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3
 VARIANT_BIN := $(VARIANTS:%=$(BUILD)/variants/%/state_hash) $(BUILD)/variants/sanitized/state_hash
 VARIANT_CORE = $(CORE_SRC) $(WIDE_SRC:%.c=%_8.c) $(GENERATED_CORE_OBJ:$(BUILD)/%.o=%.c)
 VARIANT_FLAGS := $(subst $(OPT) -g,,$(CORE_CFLAGS)) -w
+# Expanded in the rules of variant NAME, which is $(1).
+VARIANT_FOUND = $(FOUND_TOOLS) $(if $(filter clang%,$(1)),$(FOUND_CLANG))
 
 # $(call variant,NAME,COMPILER AND LEVEL) compiles the whole core again in its own folder.
 define variant
@@ -12,19 +14,19 @@ $(BUILD)/variants/$(1)/state_hash: $$(VARIANT_CORE:%.c=$(BUILD)/variants/$(1)/%.
                                    $(BUILD)/variants/$(1)/tests/replay/state_hash.o
 	$$(Q)$(2) -o $$@ $$^
 
-$(BUILD)/variants/$(1)/generated/%.o: $(BUILD)/generated/%.c $(FOUND_TOOLS) | generated
+$(BUILD)/variants/$(1)/generated/%.o: $(BUILD)/generated/%.c $(VARIANT_FOUND) | generated
 	@mkdir -p $$(@D)
 	$$(Q)$(2) $$(VARIANT_FLAGS) $$(DEP_FLAGS) -c -o $$@ $$<
 
-$(BUILD)/variants/$(1)/core/%.o: core/%.c $(FOUND_TOOLS) | generated
+$(BUILD)/variants/$(1)/core/%.o: core/%.c $(VARIANT_FOUND) | generated
 	@mkdir -p $$(@D)
 	$$(Q)$(2) $$(VARIANT_FLAGS) $$(DEP_FLAGS) -c -o $$@ $$<
 
-$(BUILD)/variants/$(1)/core/%_8.o: core/%.c $(FOUND_TOOLS) | generated
+$(BUILD)/variants/$(1)/core/%_8.o: core/%.c $(VARIANT_FOUND) | generated
 	@mkdir -p $$(@D)
 	$$(Q)$(2) $$(VARIANT_FLAGS) $$(WIDE_CFLAGS) $$(DEP_FLAGS) -c -o $$@ $$<
 
-$(BUILD)/variants/$(1)/tests/replay/state_hash.o: tests/replay/state_hash.c $(FOUND_TOOLS) | generated
+$(BUILD)/variants/$(1)/tests/replay/state_hash.o: tests/replay/state_hash.c $(VARIANT_FOUND) | generated
 	@mkdir -p $$(@D)
 	$$(call step,CC,the core with $(1))
 	$$(Q)$(2) -std=c17 -I. -I$(BUILD)/generated -ffp-contract=off $$(DEP_FLAGS) -c -o $$@ $$<
