@@ -66,8 +66,8 @@ void disk_put(struct disk *disk, const char *name, const uint8_t *bytes, size_t 
 uint32_t disk_put_folder(struct disk *disk, const char *folder,
                          char names[DISK_NAMES_MAX][TAPE_NAME_SIZE]);
 
-/* Returns the bytes of the file at `path`, or null. Writes their number to `size`. The caller frees
- * them. */
+/* Returns the bytes of the file at `path`, or null if the file cannot be read. Writes the number of
+ * bytes to `size`. The caller frees the bytes. */
 uint8_t *disk_read(const char *path, size_t *size);
 
 /* Applies operation number `op` of the tape to the disk. The tape is the recorded list of file

@@ -8,8 +8,8 @@
 #include "tests/power/books.h"
 
 /* Plays half a minute in `folder`, closes the store and opens it once more. `before` has the totals
- * of all entries on the disk, and `last_id` is the id of the newest of them. Returns 0. If a check
- * fails, writes the fault to `why`. */
+ * of all entries on the disk, and `last_id` is the id of the newest of them. Returns 0 if all
+ * checks pass. Otherwise writes the fault to `why` and returns a value other than 0. */
 int go_on(const char *folder, const struct books *before, uint32_t last_id,
           char why[BOOKS_WHY_SIZE]);
 

@@ -142,8 +142,8 @@ static void test_a_clock_older_than_the_files_was_set_back(void **state)
     assert_int_equal(look(&machine).is_clock_back, 0);
     calendar_ahead_s = -86400;
     assert_int_equal(look(&later).is_clock_back, 1);
-    /* This file is written with the wrong time too. The error must still be reported, because an
-     * earlier check has found it. */
+    /* This write gives the file the same wrong time as the clock. The error must still be reported,
+     * because an earlier check has found it. */
     write_file("kingyo.db", "xx");
     assert_int_equal(look(&later).is_clock_back, 1);
     calendar_ahead_s = 0;

@@ -292,7 +292,7 @@ static void test_there_is_one_sample_per_tick_at_every_frame_rate(void **state)
         begin_sim(state);
         const uint32_t count = play_ms(3200, frame_ms);
         const uint32_t ticks = 3200u * CORE_TICK_HZ / 1000u;
-        /* Each frame may have one sample less than ticks, because of rounding. */
+        /* Because of rounding, each frame may give one sample less than it has ticks. */
         assert_true(count + 3200u / frame_ms >= ticks);
     }
 }

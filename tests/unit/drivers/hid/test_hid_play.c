@@ -37,7 +37,7 @@ static struct hid_player {
     struct hal hal;
     struct kiosk kiosk;
     struct target target;
-    /* Function of the tested kind of controller that sends a report to move the ring toward the
+    /* Function that sends one report of the tested controller. The report moves the ring toward the
      * target. */
     void (*send)(const struct target *target);
     uint32_t report_count;

@@ -209,8 +209,8 @@ static void test_a_thousand_unplugs_lose_no_credit(void **state)
             frame();
             usleep(20);
         }
-        /* The pauses of this round have exceeded their limit together, so its credit was
-         * refunded. */
+        /* The sum of all pauses of this round has exceeded the limit, so the credit of the round
+         * was refunded. */
         if (refunds() > paid_before) {
             assert_int_equal(credits(), had + 1u);
             paid_back++;

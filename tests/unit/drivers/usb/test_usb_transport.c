@@ -304,7 +304,8 @@ static void test_without_hot_plug_events_the_bus_is_polled(void **state)
     (void)state;
     usb_sim_set_faults(&(struct usb_sim_faults){ .no_hotplug = 1 });
     fixture_start(&fixture, NULL, 0);
-    usleep(2100000); /* After a bus change, the bus is polled for another 2 s. */
+    usleep(2100000); /* Waits until the more frequent polling after the start, which lasts 2 s, has
+                        ended. */
     usb_sim_plug(&own_poi, 1);
     assert_true(fixture_open(&fixture, 0, &face));
     assert_non_null(strstr(described(), "no hot-plug"));

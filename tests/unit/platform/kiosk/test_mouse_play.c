@@ -213,21 +213,22 @@ static uint32_t landed_in(uint32_t rounds, uint32_t picture_moments)
 static void test_a_careful_mouse_player_lands_fish(void **state)
 {
     (void)state;
-    /* 51 fish were measured. The limit is lower, so that small changes of the game do not fail the
-     * test. */
+    /* The measured value is 51 fish. The limit leaves room for small changes of the game. */
     assert_true(landed_in(12, 1) >= 36);
 }
 
 static void test_a_careful_mouse_player_lands_fish_at_20_fps(void **state)
 {
     (void)state;
-    assert_true(landed_in(8, 3) >= 24); /* 35 fish were measured. */
+    assert_true(landed_in(8, 3) >= 24); /* The measured value is 35 fish. The limit leaves room for
+                                           small changes of the game. */
 }
 
 static void test_a_careful_mouse_player_lands_fish_at_10_fps(void **state)
 {
     (void)state;
-    assert_true(landed_in(8, 6) >= 24); /* 44 fish were measured. */
+    assert_true(landed_in(8, 6) >= 24); /* The measured value is 44 fish. The limit leaves room for
+                                           small changes of the game. */
 }
 
 static void glide(float px_per_moment, uint32_t count)

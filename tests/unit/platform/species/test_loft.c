@@ -101,8 +101,8 @@ static void test_a_tail_root_is_rounded_off(void **state)
     const float there = (round.z - back.z) / (point.z - back.z);
     const float left = (round.y - point.y) / (back.y - point.y);
     assert_in_range((uint32_t)(100.0f * there), 40, 80);
-    /* On a straight cone from the body to the tip, `left` would be 1 - `there`. The rounded root
-     * must lie outside this cone. */
+    /* If the root were a straight cone from the body to its tip, `left` would be 1 - `there`. A
+     * rounded root is wider than this cone. */
     assert_true(left > 1.15f * (1.0f - there));
     assert_float_equal(there * there + left * left, 1.0f, 0.01f);
 }
@@ -200,8 +200,8 @@ static void test_eyes_of_a_thin_head_do_not_intersect(void **state)
         text->keys[0].stations[i].width = 0.010f;
     }
     const struct ball ball = shape_eye_ball(&text->keys[0], 0);
-    /* Half of the width is 0.005. Each eye must end there, so that the eyes of both sides do not
-     * touch. */
+    /* The width of the body is 0.01. Each eye must end before half of this width, so that it does
+     * not touch the eye of the other side. */
     assert_true(ball.sunk + ball.in < 0.005);
 }
 

@@ -94,7 +94,7 @@ static void test_counts_beyond_their_maximum_are_rejected(void **state)
                    "more than 24 words");
 }
 
-/* Reads the example from the manual page, which stands between the first code fences. */
+/* Reads the example that stands between the first code fences of the manual page. */
 static void test_the_example_of_the_manual_is_valid(void **state)
 {
     (void)state;

@@ -301,8 +301,8 @@ static void test_without_database_a_damaged_backup_loses_no_credit(void **state)
     assert_int_equal(fwrite(damage, 1, sizeof damage, out), sizeof damage);
     assert_int_equal(fclose(out), 0);
     has_all_eight();
-    /* Number 1 was used for the note that the database is missing, so the damaged backup gets
-     * number 2. */
+    /* The damaged backup is renamed with the number 2, because the file that reports the missing
+     * database already has the number 1. */
     assert_true(is_beside(STORAGE_BACKUP_SUFFIX STORAGE_OTHER_SUFFIX "2"));
 }
 

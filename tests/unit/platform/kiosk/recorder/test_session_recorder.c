@@ -515,8 +515,8 @@ static void test_a_store_without_replays_keeps_all_other_data(void **state)
 
 static struct score_playback playback;
 static struct scene scene;
-/* Time of the simulated stopwatch in ns. Each reading advances it by a third of the time that one
- * frame may spend on seeking in a replay. */
+/* Time of the simulated stopwatch in ns. Each reading advances the stopwatch by a third of the time
+ * that one frame may spend on seeking in a replay. */
 static uint64_t watch_ns;
 
 static uint64_t look_at_watch(void *self)

@@ -62,7 +62,8 @@ static void test_the_ring_is_around_the_marked_fish(void **state)
         assert_int_equal(rings_at(at), 0);
         scene.lesson[0] = (struct scene_lesson){ .marks_fish = 1, .fish = 2, .mark_s = 1.0f };
         lay_out(sizes[i]);
-        assert_int_equal(rings_at(at), 2); /* The ring and its shadow. */
+        assert_int_equal(rings_at(at), 2); /* The ring is drawn with a shadow, which is a second
+                                              ring. */
     }
 }
 
@@ -96,9 +97,11 @@ static void test_the_arrow_runs_from_the_poi_to_the_bowl(void **state)
         assert_int_equal(rings_at(bowl), 0);
         scene.lesson[0].points_to_bowl = 1;
         lay_out(sizes[i]);
-        assert_true(batch.quad_count >= without + 9u); /* Two chevrons, and the ring. */
+        assert_true(batch.quad_count >= without + 9u); /* The arrow has at least two chevrons of 4
+                                                          quads each, and the ring is another
+                                                          quad. */
         assert_int_equal(rings_at(bowl), 1);
-        /* No part of the layout other than the arrow is between poi and bowl. */
+        /* Counts the panels between the poi and the bowl, where only the arrow is drawn. */
         uint32_t between = 0;
         for (uint32_t k = 0; k < batch.quad_count; k++) {
             const struct bounds b = bounds_of(k);

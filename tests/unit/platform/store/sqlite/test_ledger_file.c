@@ -47,8 +47,8 @@ static void write_entry(const struct ledger_entry *entry)
     assert_int_equal(ledger_file_write(&file, entry, 1), SQLITE_OK);
 }
 
-/* Returns an entry in which all fields that every kind of entry has are different. The fields of
- * rounds and names are 0. */
+/* Returns an entry with a different value in each field that all kinds of entries share. The fields
+ * that only rounds and names have are 0. */
 static struct ledger_entry full_entry(uint32_t id, uint8_t kind)
 {
     return (struct ledger_entry){

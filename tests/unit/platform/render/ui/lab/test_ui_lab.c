@@ -282,8 +282,8 @@ static void test_each_rejected_file_is_shown_with_its_reason(void **state)
                 seen |= letters == letters_in(fault.file) + letters_in(fault.why) ? 1u << i : 0u;
             }
         }
-        /* All three files must have been shown. Only a portrait screen that is exactly as high as
-         * the page has no room for the texts. */
+        /* `seen` has one bit for each of the three files, and all three must have been shown. On a
+         * portrait screen there may be no room for these texts. */
         assert_true(seen == 7u || (seen == 0u && width < height));
     }
     core.game.tick = start;
