@@ -52,7 +52,7 @@ struct scene_menu {
     uint32_t fish_max;  /* Capacity of the tank in fish. */
     struct settings settings;
     struct scene_self_test self;
-    uint8_t seat; /* Slot whose controller is calibrated. */
+    uint8_t slot; /* Slot whose controller is calibrated. */
     /* Bit mask of the slots with a stored calibration, damaged ones included. */
     uint8_t calibrated;
     uint8_t calibrate_step;  /* enum calibrate_step of the calibration. */

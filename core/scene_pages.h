@@ -68,7 +68,7 @@ struct scene_album {
  * valid in every phase. */
 struct scene_name {
     uint8_t waits; /* Bit mask of the slots that still need a name. */
-    uint8_t seat;
+    uint8_t slot;
     uint8_t alphabet; /* enum name_alphabet */
     uint8_t key;      /* Highlighted key: the index of a letter's cell, or an enum name_key. */
     uint8_t upright, has_hand, presses;
@@ -93,7 +93,7 @@ struct scene_leaderboard {
     float shown_s, left_s;
     struct scene_row {
         uint32_t caught; /* Number of fish caught; 0 means that the row is empty. */
-        uint8_t seat;
+        uint8_t slot;
         /* 1 if the row comes from the round that was just played, otherwise 0. */
         uint8_t is_new;
         /* 1 if a replay of the row's round is stored, otherwise 0. The shell fills in this

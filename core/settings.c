@@ -8,14 +8,14 @@
 
 #define MICRO 10000000 /* Range of a calibration value, in millionths: 10 m, or a factor of 10. */
 
-#define CALIBRATION(seat, name)                                                                    \
-    { "seat" #seat "-" name, GROUP_CALIBRATION, KIND_NUMBER, -MICRO, MICRO, 1, 0 }
+#define CALIBRATION(slot, name)                                                                    \
+    { "seat" #slot "-" name, GROUP_CALIBRATION, KIND_NUMBER, -MICRO, MICRO, 1, 0 }
 /* The nine calibration values of one slot (core/game/control/input_pose.h). If all nine are 0, the
  * controller's pose is used unchanged. */
-#define SEAT(seat)                                                                                 \
-    CALIBRATION(seat, "xx"), CALIBRATION(seat, "xz"), CALIBRATION(seat, "x0"),                     \
-        CALIBRATION(seat, "zx"), CALIBRATION(seat, "zz"), CALIBRATION(seat, "z0"),                 \
-        CALIBRATION(seat, "y0"), CALIBRATION(seat, "pitch"), CALIBRATION(seat, "roll")
+#define SLOT(slot)                                                                                 \
+    CALIBRATION(slot, "xx"), CALIBRATION(slot, "xz"), CALIBRATION(slot, "x0"),                     \
+        CALIBRATION(slot, "zx"), CALIBRATION(slot, "zz"), CALIBRATION(slot, "z0"),                 \
+        CALIBRATION(slot, "y0"), CALIBRATION(slot, "pitch"), CALIBRATION(slot, "roll")
 
 /* clang-format off */
 static const struct setting table[SETTING_COUNT] = {
@@ -49,7 +49,7 @@ static const struct setting table[SETTING_COUNT] = {
     [SET_NIGHT_FROM_MIN] = { "night-from", GROUP_PICTURE, KIND_MINUTE, 0, 1425, 15, 0 },
     [SET_NIGHT_TO_MIN] = { "night-to", GROUP_PICTURE, KIND_MINUTE, 0, 1425, 15, 0 },
     [SET_PIN] = { "pin", GROUP_OPERATOR, KIND_NUMBER, 0, 9999, 1, 0 },
-    [SET_CALIBRATION] = SEAT(1), SEAT(2), SEAT(3), SEAT(4),
+    [SET_CALIBRATION] = SLOT(1), SLOT(2), SLOT(3), SLOT(4),
     [SET_CALIBRATION_CHECK] = CALIBRATION(1, "check"), CALIBRATION(2, "check"),
     CALIBRATION(3, "check"), CALIBRATION(4, "check"),
     [SET_LEVEL] = { "level", GROUP_GAME, KIND_CHOICE, 0, LEVEL_CHOICE_COUNT - 1, 1,

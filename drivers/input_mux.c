@@ -163,16 +163,16 @@ static uint32_t arrange(void *self, bool may_move)
     return changed;
 }
 
-struct hal_seats input_mux_init(struct input_mux *mux, struct hal *hal, const char *empty_line)
+struct hal_slots input_mux_init(struct input_mux *mux, struct hal *hal, const char *empty_line)
 {
-    static const struct hal_seats_ops ops = { .arrange = arrange };
+    static const struct hal_slots_ops ops = { .arrange = arrange };
     CORE_ASSERT(empty_line);
     *mux = (struct input_mux){ .hal = hal, .empty_line = empty_line };
     memset(mux->slot, SLOT_NONE, sizeof mux->slot);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         set_slot(mux, i, SLOT_NONE);
     }
-    return (struct hal_seats){ .ops = &ops, .self = mux };
+    return (struct hal_slots){ .ops = &ops, .self = mux };
 }
 
 int input_mux_add(struct input_mux *mux, const struct input_source *source)

@@ -61,7 +61,7 @@ struct input_mux {
  * that the frame loop calls once in each frame to update the assignment. `hal` must stay valid.
  * `empty_line` is the description of an empty first slot, which names the missing device and the
  * remedy. The text is not copied and must stay valid. */
-struct hal_seats input_mux_init(struct input_mux *mux, struct hal *hal, const char *empty_line);
+struct hal_slots input_mux_init(struct input_mux *mux, struct hal *hal, const char *empty_line);
 
 /* Adds a source. Sources of a better kind must be added first. Returns 0, or -1 if there are
  * INPUT_SOURCE_MAX sources already. After -1 the new source is ignored. */

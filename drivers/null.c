@@ -102,7 +102,7 @@ static const struct hal_fan_ops fan_ops = {
     .describe = null_describe,
 };
 
-static const struct hal_seats_ops seats_ops = { .arrange = null_arrange };
+static const struct hal_slots_ops slots_ops = { .arrange = null_arrange };
 
 static const struct hal_buttons_ops buttons_ops = {
     .poll = null_buttons_poll,
@@ -172,7 +172,7 @@ struct hal null_hal(const char *line)
     struct hal hal = {
         .clock = { .ops = &clock_ops },
         .display = { &display_ops, self },
-        .seats = { .ops = &seats_ops },
+        .slots = { .ops = &slots_ops },
         .buttons = { &buttons_ops, self },
         .switches = { &switches_ops, self },
         .controllers = { &controllers_ops, self },

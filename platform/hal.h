@@ -176,7 +176,7 @@ struct hal_buttons_ops {
 
 /* Functions that assign controllers to player slots. The assignment changes if the kiosk has more
  * controllers than slots, or if a better controller is connected. */
-struct hal_seats_ops {
+struct hal_slots_ops {
     /* Assigns controllers to slots. The kiosk calls arrange() once per frame, before it polls the
      * pois. The kiosk passes true as `may_move` between two games and false during a game. If
      * `may_move` is false, a slot with a connected controller keeps that controller. Returns a bit
@@ -326,7 +326,7 @@ struct hal_clock { const struct hal_clock_ops *ops; void *self; };
 struct hal_display { const struct hal_display_ops *ops; void *self; };
 struct hal_poi { const struct hal_poi_ops *ops; void *self; };
 struct hal_fan { const struct hal_fan_ops *ops; void *self; };
-struct hal_seats { const struct hal_seats_ops *ops; void *self; };
+struct hal_slots { const struct hal_slots_ops *ops; void *self; };
 struct hal_buttons { const struct hal_buttons_ops *ops; void *self; };
 struct hal_switches { const struct hal_switches_ops *ops; void *self; };
 struct hal_controllers { const struct hal_controllers_ops *ops; void *self; };
@@ -362,7 +362,7 @@ struct hal {
     struct hal_display display;
     struct hal_poi poi[POI_MAX];
     struct hal_fan fan[SHADE_MAX];
-    struct hal_seats seats;
+    struct hal_slots slots;
     struct hal_buttons buttons;
     struct hal_switches switches;
     struct hal_controllers controllers;

@@ -232,7 +232,7 @@ void controllers_open(struct hal *hal, const struct board_options *options)
     if (options->poi == BOARD_POI_BOT) {
         return;
     }
-    hal->seats = input_mux_init(&devices.mux, hal, missing_poi(options->poi));
+    hal->slots = input_mux_init(&devices.mux, hal, missing_poi(options->poi));
     for (uint32_t i = 0; usb.transport && i < POI_MAX; i++) {
         add_source(poi_hid_devices(&usb.poi[i]), is_controller_ready, &usb.poi[i], INPUT_KIND_USB,
                    false);

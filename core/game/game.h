@@ -122,7 +122,7 @@ struct player {
 #define GAME_WAIT_TICKS_MAX POI_WAIT_TICKS_MAX
 _Static_assert(GAME_LOST_TICKS_MAX <= GAME_WAIT_TICKS_MAX &&
                    GAME_WAIT_TICKS_OTHERS <= GAME_WAIT_TICKS_MAX,
-               "no wait outlasts the seat that is kept");
+               "the other players wait no longer than the whole pause");
 
 /* Shortest time for which a hint is shown: 1.5 s, enough to read a short line. */
 #define HINT_TICKS_MIN 180u
@@ -164,7 +164,7 @@ struct name {
     uint32_t round_id; /* Ledger id of the last round with a ranked player; 0 means none. */
     uint8_t ranked;    /* Bit mask of the slots that are ranked in the round `round_id`. */
     uint8_t waits;     /* Bit mask of the ranked slots that still need a name. */
-    uint8_t seat;      /* Slot of the player who enters a name. */
+    uint8_t slot;      /* Slot of the player who enters a name. */
     uint8_t alphabet;  /* Displayed alphabet (enum name_alphabet). */
     uint8_t key;       /* Highlighted key: the index of a letter's cell, or an enum name_key. */
     uint8_t points;    /* Key under the pointer, counted from 1. 0 means no key. */
@@ -173,7 +173,7 @@ struct name {
     uint8_t refusals;
     uint8_t letter_count;
     uint16_t letter[NAME_LETTERS_MAX];
-    uint32_t seat_tick;   /* Tick at which the current player's name entry began. */
+    uint32_t start_tick;  /* Tick at which the current player's name entry began. */
     uint32_t act_tick;    /* Tick of the current player's last press or pointer motion. */
     uint32_t held_ticks;  /* Ticks for which LEFT or RIGHT has been held. */
     float x, y;           /* Pointer position on the canvas. */

@@ -52,7 +52,7 @@ const struct field_table credit_fields = FIELD_TABLE(credit,
 
 #define STRUCT rank_row
 const struct field_table rank_row_fields = FIELD_TABLE(rank_row,
-    FIELD(caught), FIELD(round_id), FIELD_HIGH(day, 8), FIELD(seat), FIELD(name));
+    FIELD(caught), FIELD(round_id), FIELD_HIGH(day, 8), FIELD(slot), FIELD(name));
 #undef STRUCT
 
 #define STRUCT ranking
@@ -198,7 +198,7 @@ const struct field_table bot_fields = FIELD_TABLE(bot,
 
 #define STRUCT calibrate
 static const struct field_table calibrate_fields = FIELD_TABLE(calibrate,
-    FIELD(seat), FIELD(step), FIELD(fault), FIELD(present), FIELD(is_set), FIELD(has_before),
+    FIELD(slot), FIELD(step), FIELD(fault), FIELD(present), FIELD(is_set), FIELD(has_before),
     FIELD(has_anchor), FIELD(must_move), FIELD(still_ticks), FIELD(said.has_wrist),
     FIELD(before), FIELD(said.corner_m), FIELD(anchor), FIELD(sum), FIELD(said.water));
 #undef STRUCT
@@ -228,9 +228,9 @@ static const struct field_table menu_fields = FIELD_TABLE(menu,
 
 #define STRUCT name
 static const struct field_table name_fields = FIELD_TABLE(name,
-    FIELD(round_id), FIELD(ranked), FIELD(waits), FIELD(seat), FIELD(alphabet), FIELD(key),
+    FIELD(round_id), FIELD(ranked), FIELD(waits), FIELD(slot), FIELD(alphabet), FIELD(key),
     FIELD(points), FIELD(upright), FIELD(has_hand), FIELD(presses), FIELD(refusals),
-    FIELD(letter_count), FIELD(seat_tick), FIELD(act_tick), FIELD(held_ticks), FIELD(letter),
+    FIELD(letter_count), FIELD(start_tick), FIELD(act_tick), FIELD(held_ticks), FIELD(letter),
     FIELD(x), FIELD(y), FIELD(rest_x), FIELD(rest_y));
 #undef STRUCT
 

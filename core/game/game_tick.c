@@ -61,7 +61,7 @@ float game_seconds_left(const struct game *game, uint32_t tick)
         total = game->round_s * CORE_TICK_HZ;
         break;
     case PHASE_NAME:
-        start = name->seat_tick;
+        start = name->start_tick;
         total = min_ticks(name->act_tick - start + NAME_IDLE_TICKS, NAME_TICKS_MAX);
         break;
     default:

@@ -23,13 +23,13 @@ static void read_wall(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-static void open_seat(struct kiosk *kiosk, const struct hal *hal, uint32_t seat)
+static void open_slot(struct kiosk *kiosk, const struct hal *hal, uint32_t slot)
 {
-    CORE_ASSERT(seat < POI_MAX);
+    CORE_ASSERT(slot < POI_MAX);
     const uint64_t now_ns = hal_now_ns(hal->clock);
-    kiosk->faults.poi += sampler_poi_open(&kiosk->samplers[seat], &hal->poi[seat], now_ns);
-    if (seat < SHADE_MAX) {
-        kiosk->faults.shade += sampler_fan_open(&kiosk->shades[seat], &hal->fan[seat], now_ns);
+    kiosk->faults.poi += sampler_poi_open(&kiosk->samplers[slot], &hal->poi[slot], now_ns);
+    if (slot < SHADE_MAX) {
+        kiosk->faults.shade += sampler_fan_open(&kiosk->shades[slot], &hal->fan[slot], now_ns);
     }
 }
 
@@ -59,7 +59,7 @@ static void present_view(struct kiosk *kiosk, const struct hal *hal)
 enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
                            const struct kiosk_config *config)
 {
-    CORE_ASSERT(hal->audio.ops && hal->display.ops && hal->seats.ops);
+    CORE_ASSERT(hal->audio.ops && hal->display.ops && hal->slots.ops);
     memset(kiosk, 0, sizeof *kiosk);
     cpu_set_float();
     kiosk->config = *config;
@@ -73,9 +73,9 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     output_audio_open(&kiosk->voice, &hal->audio, hal_now_ns(hal->clock));
     read_wall(kiosk, hal); /* The first call reads the time zone in the C library, which allocates
                               memory. */
-    hal->seats.ops->arrange(hal->seats.self, true);
+    hal->slots.ops->arrange(hal->slots.self, true);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        open_seat(kiosk, hal, i);
+        open_slot(kiosk, hal, i);
     }
     if (config->chapters) {
         session_recorder_begin(config->chapters, &kiosk->core);
@@ -142,10 +142,10 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
      * menu is shown, so that no player loses a controller during a game. */
     const uint8_t phase = kiosk->output.phase;
     const bool may_move = phase == PHASE_ATTRACT || phase == PHASE_MENU;
-    const uint32_t moved = hal->seats.ops->arrange(hal->seats.self, may_move);
+    const uint32_t moved = hal->slots.ops->arrange(hal->slots.self, may_move);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (moved & (1u << i)) {
-            open_seat(kiosk, hal, i);
+            open_slot(kiosk, hal, i);
             hal->poi[i].ops->set_view(hal->poi[i].self, &kiosk->view, &kiosk->display_settings,
                                       kiosk->scoops);
         }
@@ -341,7 +341,7 @@ static void complete_scene(struct kiosk *kiosk, const struct hal *hal, uint32_t 
 
 enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
 {
-    CORE_ASSERT(hal->display.ops && hal->seats.ops && hal->storage.ledger.ops);
+    CORE_ASSERT(hal->display.ops && hal->slots.ops && hal->storage.ledger.ops);
     const struct hal_clock stopwatch = kiosk->config.stopwatch;
     const uint64_t begin_ns = hal_now_ns(stopwatch);
     if (kiosk->frames > 0) {

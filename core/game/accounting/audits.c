@@ -47,7 +47,7 @@ static const char *const names[AUDIT_COUNT] = {
     [AUDIT_ROUNDS_EASIER] = "rounds-normal",
     [AUDIT_ROUNDS_EASIER + 1] = "rounds-easy",
 };
-_Static_assert(POI_MAX == 4u, "each seat has its counter of losses");
+_Static_assert(POI_MAX == 4u, "each slot has its counter of losses");
 _Static_assert(LEVEL_NORMAL == 1 && LEVEL_EASY == 2 && LEVEL_COUNT == 3, "each level has a name");
 
 static void append_audit_text(char out[AUDIT_NAME_SIZE], const char *text)
@@ -162,9 +162,9 @@ static void note_round(struct audits *audits, const struct ledger_entry *entry)
     }
     add_to_audit(audits, AUDIT_CAUGHT, round->caught);
     add_to_audit(audits, AUDIT_PLAY_S, rounded_seconds(round->end_tick - round->start_tick));
-    for (uint32_t seat = 0; seat < POI_MAX; seat++) {
-        const struct player_record *player = &round->player[seat];
-        if (!(round->players & 1u << seat)) {
+    for (uint32_t slot = 0; slot < POI_MAX; slot++) {
+        const struct player_record *player = &round->player[slot];
+        if (!(round->players & 1u << slot)) {
             continue;
         }
         add_to_audit(audits, AUDIT_PLAYERS, 1);

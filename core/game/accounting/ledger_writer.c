@@ -240,7 +240,7 @@ bool ledger_state_is_valid(const struct persistent_state *memory)
     bool is_good = start->last_id <= LEDGER_ID_MAX && start->boots <= LEDGER_BOOTS_MAX &&
                    purse_is_good(&start->balance) && round_standing_is_good(&start->stand);
     for (uint32_t i = 0; i < RANK_BOARD_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
-        is_good = is_good && rows[i].seat < POI_MAX && rows[i].round_id <= LEDGER_ID_MAX &&
+        is_good = is_good && rows[i].slot < POI_MAX && rows[i].round_id <= LEDGER_ID_MAX &&
                   name_is_good(rows[i].name);
     }
     return is_good;

@@ -10,8 +10,8 @@
 
 /* Number of bits of the member `count` for each player slot. The bits hold the slot's number of
  * caught fish. */
-#define SEAT_BITS 8u
-#define SEAT_MAX 255u
+#define CAUGHT_BITS 8u
+#define CAUGHT_MAX 255u
 /* Mask of the bits of the member `value` that hold the number of tickets. The higher bits hold the
  * players, the bot and the level of the round. */
 #define TICKETS_MASK 0xffffu
@@ -24,7 +24,7 @@
  * hold the mode. */
 #define GRADE_SHIFT 4u
 #define MODE_MASK 15u
-_Static_assert(POI_MAX *SEAT_BITS <= 32u && POI_MAX <= 4u, "every seat has its byte and its bit");
+_Static_assert(POI_MAX *CAUGHT_BITS <= 32u && POI_MAX <= 4u, "each slot has a byte and a bit");
 _Static_assert(CHOICE_COUNT <= MODE_MASK + 1u && SHEET_GRADE_MAX <= 15u, "mode and grade fit");
 
 bool round_standing_is_spent(const struct game *game, const struct core_config *config)
@@ -45,7 +45,7 @@ static struct ledger_stand stand_of(const struct game *game, const struct core_c
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &game->player[i];
         if (player->plays) {
-            count |= (player->caught < SEAT_MAX ? player->caught : SEAT_MAX) << i * SEAT_BITS;
+            count |= (player->caught < CAUGHT_MAX ? player->caught : CAUGHT_MAX) << i * CAUGHT_BITS;
             value |= 1u << (PLAYERS_SHIFT + i);
         }
     }
@@ -105,7 +105,7 @@ static struct round_record record_of(const struct ledger_stand *stand)
     record.unscored = (uint8_t)!rules_of(record.mode)->keeps_score;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (record.players >> i & 1u) {
-            record.player[i].caught = stand->count >> i * SEAT_BITS & SEAT_MAX;
+            record.player[i].caught = stand->count >> i * CAUGHT_BITS & CAUGHT_MAX;
             record.player[i].sheets = 1u;
             record.caught += record.player[i].caught;
         }

@@ -165,7 +165,7 @@ enum input_status input_validation_tick(struct input_validation *validation,
 #define MILLION 1000000.0f
 
 _Static_assert(SET_CALIBRATION_END == SET_CALIBRATION + CALIBRATION_VALUES * (int)POI_MAX,
-               "each value of each seat has its setting");
+               "each value of each slot has its setting");
 
 vec3 input_calibration_mark(vec3 tank_size_m, uint32_t corner)
 {
@@ -316,22 +316,22 @@ int32_t input_calibration_check(const int32_t value[CALIBRATION_VALUES])
     return any != 0 ? 1 + (int32_t)(hash % most) : 0;
 }
 
-static int32_t check_of(const struct settings *settings, uint32_t seat)
+static int32_t check_of(const struct settings *settings, uint32_t slot)
 {
-    CORE_ASSERT(seat < POI_MAX);
-    return input_calibration_check(&settings->value[input_calibration_setting(seat)]);
+    CORE_ASSERT(slot < POI_MAX);
+    return input_calibration_check(&settings->value[input_calibration_setting(slot)]);
 }
 
-bool input_calibration_is_set(const struct settings *settings, uint32_t seat)
+bool input_calibration_is_set(const struct settings *settings, uint32_t slot)
 {
-    const int32_t check = check_of(settings, seat);
-    return check != 0 && check == settings->value[input_calibration_check_setting(seat)];
+    const int32_t check = check_of(settings, slot);
+    return check != 0 && check == settings->value[input_calibration_check_setting(slot)];
 }
 
-bool input_calibration_is_torn(const struct settings *settings, uint32_t seat)
+bool input_calibration_is_torn(const struct settings *settings, uint32_t slot)
 {
-    const int32_t check = check_of(settings, seat);
-    return check != 0 && check != settings->value[input_calibration_check_setting(seat)];
+    const int32_t check = check_of(settings, slot);
+    return check != 0 && check != settings->value[input_calibration_check_setting(slot)];
 }
 
 static float value_from_millionths(const int32_t *value, enum calibration_value which)
@@ -340,14 +340,14 @@ static float value_from_millionths(const int32_t *value, enum calibration_value 
     return (float)value[which] / MILLION;
 }
 
-void input_calibration_apply(const struct settings *settings, uint32_t seat, struct poi_input *poi)
+void input_calibration_apply(const struct settings *settings, uint32_t slot, struct poi_input *poi)
 {
-    if (poi->link != POI_SOURCE_LIVE || !input_calibration_is_set(settings, seat) ||
+    if (poi->link != POI_SOURCE_LIVE || !input_calibration_is_set(settings, slot) ||
         !input_pose_is_finite(&poi->target)) {
         return;
     }
     struct angles *angles = &poi->target.angles;
-    const int32_t *value = &settings->value[input_calibration_setting(seat)];
+    const int32_t *value = &settings->value[input_calibration_setting(slot)];
     const struct map map = {
         1.0f + value_from_millionths(value, CALIBRATION_XX),
         value_from_millionths(value, CALIBRATION_XZ),

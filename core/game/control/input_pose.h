@@ -182,27 +182,27 @@ vec3 input_calibration_mark(vec3 tank_size_m, uint32_t corner);
 enum calibration_fault input_calibration_solve(const struct calibration_said *said,
                                                vec3 tank_size_m, int32_t out[CALIBRATION_VALUES]);
 
-/* Returns the id of the first calibration setting of slot `seat`, which must be < POI_MAX. */
-static inline uint32_t input_calibration_setting(uint32_t seat)
+/* Returns the id of the first calibration setting of slot `slot`, which must be < POI_MAX. */
+static inline uint32_t input_calibration_setting(uint32_t slot)
 {
-    return SET_CALIBRATION + seat * CALIBRATION_VALUES;
+    return SET_CALIBRATION + slot * CALIBRATION_VALUES;
 }
 
-static inline uint32_t input_calibration_check_setting(uint32_t seat)
+static inline uint32_t input_calibration_check_setting(uint32_t slot)
 {
-    return SET_CALIBRATION_CHECK + seat;
+    return SET_CALIBRATION_CHECK + slot;
 }
 
 /* Returns the check value for nine calibration values. The check value is 0 only if all nine values
  * are 0. */
 int32_t input_calibration_check(const int32_t value[CALIBRATION_VALUES]);
 
-/* Returns true if slot `seat` has a complete calibration whose values are not all 0. */
-bool input_calibration_is_set(const struct settings *settings, uint32_t seat);
+/* Returns true if slot `slot` has a complete calibration whose values are not all 0. */
+bool input_calibration_is_set(const struct settings *settings, uint32_t slot);
 
-/* Returns true if slot `seat` has calibration values without a matching check value. */
-bool input_calibration_is_torn(const struct settings *settings, uint32_t seat);
+/* Returns true if slot `slot` has calibration values without a matching check value. */
+bool input_calibration_is_torn(const struct settings *settings, uint32_t slot);
 
 /* Corrects the pose of a live controller in place. An invalid pose stays unchanged. Without a
  * calibration of the slot, every pose stays unchanged bit for bit. */
-void input_calibration_apply(const struct settings *settings, uint32_t seat, struct poi_input *poi);
+void input_calibration_apply(const struct settings *settings, uint32_t slot, struct poi_input *poi);

@@ -128,9 +128,9 @@ static void unname(const struct menu_scope *scope)
 {
     const struct rank_row *row = selected_score_row(&scope->accounts->ranking, scope->menu);
     const struct ledger_entry entry = { .kind = LEDGER_NAME,
-                                        .detail = row->seat,
+                                        .detail = row->slot,
                                         .count = row->round_id };
-    CORE_ASSERT(row->seat < POI_MAX);
+    CORE_ASSERT(row->slot < POI_MAX);
     ledger_write(scope->accounts, scope->game->tick, &entry, scope->output);
     menu_score_open(scope->menu, scope->game, &scope->config->persistent.settings);
 }

@@ -109,13 +109,13 @@ void menu_learn_close(struct menu *menu, struct output *output)
 
 uint16_t menu_calibrate_enabled(const struct menu *menu)
 {
-    CORE_ASSERT(menu->calibrate.seat < POI_MAX);
+    CORE_ASSERT(menu->calibrate.slot < POI_MAX);
     const struct calibrate *calibrate = &menu->calibrate;
-    const uint32_t seat = 1u << calibrate->seat;
-    return (uint16_t)(((calibrate->present & ~seat) != 0 ? MENU_TAG(CALIBRATE_NEXT) : 0u) |
-                      (calibrate->present & seat ? MENU_TAG(CALIBRATE_BEGIN) : 0u) |
-                      (calibrate->has_before & seat ? MENU_TAG(CALIBRATE_UNDO) : 0u) |
-                      (calibrate->is_set & seat ? MENU_TAG(CALIBRATE_NONE) : 0u) |
+    const uint32_t slot = 1u << calibrate->slot;
+    return (uint16_t)(((calibrate->present & ~slot) != 0 ? MENU_TAG(CALIBRATE_NEXT) : 0u) |
+                      (calibrate->present & slot ? MENU_TAG(CALIBRATE_BEGIN) : 0u) |
+                      (calibrate->has_before & slot ? MENU_TAG(CALIBRATE_UNDO) : 0u) |
+                      (calibrate->is_set & slot ? MENU_TAG(CALIBRATE_NONE) : 0u) |
                       MENU_TAG(CALIBRATE_BACK));
 }
 
@@ -126,12 +126,12 @@ static void begin_anew(struct calibrate *calibrate)
     calibrate->still_ticks = 0;
 }
 
-static void next_seat(struct calibrate *calibrate)
+static void next_slot(struct calibrate *calibrate)
 {
     CORE_ASSERT(calibrate->present != 0);
     do {
-        calibrate->seat = (uint8_t)((calibrate->seat + 1u) % POI_MAX);
-    } while (!(calibrate->present >> calibrate->seat & 1u));
+        calibrate->slot = (uint8_t)((calibrate->slot + 1u) % POI_MAX);
+    } while (!(calibrate->present >> calibrate->slot & 1u));
 }
 
 void menu_calibrate_open(struct menu *menu, const struct game *game,
@@ -142,8 +142,8 @@ void menu_calibrate_open(struct menu *menu, const struct game *game,
     (void)settings;
     struct calibrate *calibrate = &menu->calibrate;
     begin_anew(calibrate);
-    if (calibrate->present != 0 && !(calibrate->present >> calibrate->seat & 1u)) {
-        next_seat(calibrate);
+    if (calibrate->present != 0 && !(calibrate->present >> calibrate->slot & 1u)) {
+        next_slot(calibrate);
     }
 }
 
@@ -152,20 +152,20 @@ void menu_calibrate_open(struct menu *menu, const struct game *game,
 static void swap_with(const struct menu_scope *scope, int32_t value[CALIBRATION_VALUES])
 {
     struct calibrate *calibrate = &scope->menu->calibrate;
-    CORE_ASSERT(calibrate->seat < POI_MAX);
-    const uint32_t first = input_calibration_setting(calibrate->seat);
+    CORE_ASSERT(calibrate->slot < POI_MAX);
+    const uint32_t first = input_calibration_setting(calibrate->slot);
     const struct settings *settings = &scope->config->persistent.settings;
     int32_t before[CALIBRATION_VALUES] = { 0 };
-    if (input_calibration_is_set(settings, calibrate->seat)) {
+    if (input_calibration_is_set(settings, calibrate->slot)) {
         memcpy(before, &settings->value[first], sizeof before);
     }
     for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
         settings_edit_set(scope, first + i, value[i]);
     }
-    settings_edit_set(scope, input_calibration_check_setting(calibrate->seat),
+    settings_edit_set(scope, input_calibration_check_setting(calibrate->slot),
                       input_calibration_check(value));
-    memcpy(calibrate->before[calibrate->seat], before, sizeof before);
-    calibrate->has_before |= (uint8_t)(1u << calibrate->seat);
+    memcpy(calibrate->before[calibrate->slot], before, sizeof before);
+    calibrate->has_before |= (uint8_t)(1u << calibrate->slot);
 }
 
 void menu_calibrate_activate(const struct menu_scope *scope, uint32_t tag)
@@ -175,13 +175,13 @@ void menu_calibrate_activate(const struct menu_scope *scope, uint32_t tag)
     int32_t value[CALIBRATION_VALUES] = { 0 };
     begin_anew(calibrate);
     if (tag == CALIBRATE_NEXT) {
-        next_seat(calibrate);
+        next_slot(calibrate);
     } else if (tag == CALIBRATE_BEGIN) {
         calibrate->step = CALIBRATE_CORNER;
         calibrate->must_move = 1; /* The poi may still be in its holder, and must move before the
                                      first pose counts. */
     } else if (tag == CALIBRATE_UNDO) {
-        memcpy(value, calibrate->before[calibrate->seat], sizeof value);
+        memcpy(value, calibrate->before[calibrate->slot], sizeof value);
         swap_with(scope, value);
     } else {
         swap_with(scope, value);
@@ -289,8 +289,8 @@ void menu_calibrate_tick(const struct menu_scope *scope, const struct world *wor
         calibrate->present |= (uint8_t)((uint32_t)is_there << i);
         calibrate->is_set |= (uint8_t)((uint32_t)is_set << i);
     }
-    CORE_ASSERT(calibrate->seat < POI_MAX && calibrate->step < CALIBRATE_STEPS);
-    const struct poi_input *poi = &said->poi[calibrate->seat];
+    CORE_ASSERT(calibrate->slot < POI_MAX && calibrate->step < CALIBRATE_STEPS);
+    const struct poi_input *poi = &said->poi[calibrate->slot];
     if (scope->menu->page != MENU_CALIBRATION || !menu_calibrate_is_running(calibrate)) {
         return;
     }

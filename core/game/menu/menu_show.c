@@ -178,12 +178,12 @@ void menu_show(const struct game *game, const struct core_config *config, struct
     out->saved_id = game->accounts.ledger.saved_id;
     out->settings = config->persistent.settings;
     self_test_show(game, config, &out->self);
-    out->seat = menu->calibrate.seat;
+    out->slot = menu->calibrate.slot;
     out->calibrate_step = menu->calibrate.step;
     out->calibrate_fault = menu->calibrate.fault;
     out->calibrated = menu->calibrate.is_set;
     out->menu_calibrate_progress = menu_calibrate_progress(&menu->calibrate);
-    out->calibrated_m = game->control[menu->calibrate.seat].validation.newest.position_m;
+    out->calibrated_m = game->control[menu->calibrate.slot].validation.newest.position_m;
     out->coin_s =
         menu->test_coins > 0 ? (float)(game->tick - menu->coin_tick) * CORE_TICK_S : NEVER_S;
 }

@@ -30,7 +30,7 @@ enum calibrate_step {
 };
 
 struct calibrate {
-    uint8_t seat;
+    uint8_t slot;
     uint8_t step;    /* Current calibration step (enum calibrate_step). */
     uint8_t fault;   /* Reason for the rejection (enum calibration_fault). */
     uint8_t present; /* Bit mask of the slots with a controller. */

@@ -18,14 +18,14 @@ uint32_t leaderboard_board(const struct game *game)
     return ranking_board(game->mode, game_level(game));
 }
 
-struct leaderboard_place leaderboard_best_place(const struct game *game, uint8_t seat)
+struct leaderboard_place leaderboard_best_place(const struct game *game, uint8_t slot)
 {
-    CORE_ASSERT(seat < POI_MAX);
+    CORE_ASSERT(slot < POI_MAX);
     const uint32_t board = leaderboard_board(game), round_id = game->name.round_id;
     struct leaderboard_place best = { 0, 0 };
     for (uint8_t period = 0; period < RANK_PERIOD_COUNT && round_id != 0; period++) {
         const uint32_t place = ranking_place(&game->accounts.ranking, board,
-                                             (enum rank_period)period, round_id, seat) +
+                                             (enum rank_period)period, round_id, slot) +
                                1u;
         if (place <= RANK_ROWS && (best.place == 0 || place <= best.place)) {
             best = (struct leaderboard_place){ period, (uint8_t)place };
@@ -83,8 +83,8 @@ static struct pick shown_ranking(const struct game *game, const struct core_conf
         return (struct pick){ menu->page == MENU_RANKING || menu->page == MENU_SCORE,
                               menu->board / RANK_PERIOD_COUNT, menu->board % RANK_PERIOD_COUNT, 0 };
     case PHASE_LEADERBOARD:
-        for (uint8_t seat = 0; seat < POI_MAX; seat++) {
-            const struct leaderboard_place place = leaderboard_best_place(game, seat);
+        for (uint8_t slot = 0; slot < POI_MAX; slot++) {
+            const struct leaderboard_place place = leaderboard_best_place(game, slot);
             if (place.place != 0 && (best.place == 0 || place.place < best.place)) {
                 best = place;
             }
@@ -133,7 +133,7 @@ void leaderboard_show(const struct game *game, const struct core_config *config,
         out->row[i].caught = row->caught;
         out->row[i].is_new =
             game->phase == PHASE_LEADERBOARD && row->round_id == game->name.round_id;
-        out->row[i].seat = row->seat;
+        out->row[i].slot = row->slot;
         out->row[i].round_id = row->round_id;
         memcpy(out->row[i].name, row->name, sizeof out->row[i].name);
     }

@@ -18,11 +18,11 @@ void name_note_round(struct name *name, const struct accounts *accounts,
     const bool is_kept = accounts->ledger.boot != 0;
     const bool is_wanted = settings->value[SET_NAMES] != 0;
     *name = (struct name){ .round_id = round_id };
-    for (uint8_t seat = 0; seat < POI_MAX && round_id != 0; seat++) {
+    for (uint8_t slot = 0; slot < POI_MAX && round_id != 0; slot++) {
         for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
             const uint32_t place =
-                ranking_place(&accounts->ranking, board, (enum rank_period)period, round_id, seat);
-            name->ranked |= (uint8_t)(place < RANK_ROWS ? 1u << seat : 0u);
+                ranking_place(&accounts->ranking, board, (enum rank_period)period, round_id, slot);
+            name->ranked |= (uint8_t)(place < RANK_ROWS ? 1u << slot : 0u);
         }
     }
     name->waits = is_kept && is_wanted ? name->ranked : 0u;
@@ -31,14 +31,14 @@ void name_note_round(struct name *name, const struct accounts *accounts,
 /* Prepares the name entry of the current player: clears the letters and restarts the timeout. */
 static void ask_for_name(struct name *name, uint32_t tick)
 {
-    CORE_ASSERT(name->seat < POI_MAX);
+    CORE_ASSERT(name->slot < POI_MAX);
     name->key = 0;
     name->letter_count = 0;
     name->points = 0;
     name->presses = 1; /* A poi that is under water presses nothing until it has been above the
                           water. */
     name->held_ticks = 0;
-    name->seat_tick = name->act_tick = tick;
+    name->start_tick = name->act_tick = tick;
 }
 
 /* Starts the name entry of the next player, who has the best score of the players who still need a
@@ -46,16 +46,16 @@ static void ask_for_name(struct name *name, uint32_t tick)
 static bool begin_next_turn(struct name *name, const struct game *game)
 {
     uint8_t best = POI_MAX;
-    for (uint8_t seat = 0; seat < POI_MAX; seat++) {
-        const bool waits = name->waits >> seat & 1;
-        if (waits && (best == POI_MAX || game->player[seat].caught > game->player[best].caught)) {
-            best = seat;
+    for (uint8_t slot = 0; slot < POI_MAX; slot++) {
+        const bool waits = name->waits >> slot & 1;
+        if (waits && (best == POI_MAX || game->player[slot].caught > game->player[best].caught)) {
+            best = slot;
         }
     }
     if (best == POI_MAX) {
         return false;
     }
-    name->seat = best;
+    name->slot = best;
     name->waits &= (uint8_t)~(1u << best);
     name->alphabet = game->language == LANGUAGE_JA ? ALPHABET_HIRAGANA : ALPHABET_LATIN;
     name->refusals = 0;
@@ -88,12 +88,12 @@ static bool stands_refused(const struct name *name)
 void name_keep(struct accounts *accounts, const struct name *name, uint32_t tick,
                struct output *output)
 {
-    CORE_ASSERT(name->seat < POI_MAX);
+    CORE_ASSERT(name->slot < POI_MAX);
     if (name->letter_count == 0 || stands_refused(name)) {
         return;
     }
     struct ledger_entry entry = { .kind = LEDGER_NAME,
-                                  .detail = name->seat,
+                                  .detail = name->slot,
                                   .count = name->round_id };
     name_spell(name->letter, name->letter_count, entry.name);
     ledger_write(accounts, tick, &entry, output);
@@ -190,7 +190,7 @@ static bool take_name_buttons(struct name *name, uint32_t tick, const struct inp
 static bool point_at_key_by_hand(struct name *name, uint32_t tick, const struct world *world,
                                  const struct input *input, struct output *output)
 {
-    const struct pointer_state hand = pointer_of_player(world, input, name->upright, name->seat);
+    const struct pointer_state hand = pointer_of_player(world, input, name->upright, name->slot);
     const bool was_down = name->presses || !name->has_hand;
     uint8_t points = 0; /* Key under the pointer, counted from 1. 0 means no key. */
     name->has_hand = hand.present;
@@ -231,9 +231,9 @@ void name_tick(struct game *game, struct world *world, struct core_config *confi
 {
     (void)config;
     struct name *name = &game->name;
-    CORE_ASSERT(game->phase == PHASE_NAME && name->seat < POI_MAX);
+    CORE_ASSERT(game->phase == PHASE_NAME && name->slot < POI_MAX);
     name->upright = input->upright != 0;
-    const bool is_seen = game->tick - name->seat_tick >= NAME_SEEN_TICKS;
+    const bool is_seen = game->tick - name->start_tick >= NAME_SEEN_TICKS;
     if (game_seconds_left(game, game->tick) <= 0.0f ||
         (is_seen && (take_name_buttons(name, game->tick, input, output) ||
                      point_at_key_by_hand(name, game->tick, world, input, output)))) {
@@ -255,7 +255,7 @@ void name_show(const struct game *game, struct scene_name *out)
     if (game->phase != PHASE_NAME) {
         return;
     }
-    out->seat = name->seat;
+    out->slot = name->slot;
     out->alphabet = name->alphabet;
     out->key = name->key;
     out->upright = name->upright;

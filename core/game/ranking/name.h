@@ -57,9 +57,9 @@ struct leaderboard_place {
 /* Returns the board of the mode and level of the current or last round (ranking_board()). */
 uint32_t leaderboard_board(const struct game *game);
 
-/* Returns the best place of slot `seat` in the last ranked round, on that round's board. The place
+/* Returns the best place of slot `slot` in the last ranked round, on that round's board. The place
  * is 0 if the slot is not ranked. */
-struct leaderboard_place leaderboard_best_place(const struct game *game, uint8_t seat);
+struct leaderboard_place leaderboard_best_place(const struct game *game, uint8_t slot);
 
 /* Runs one tick of the leaderboard phase, which follows the name entry. START or a dip starts a
  * game; OK turns the page. */

@@ -89,10 +89,10 @@ static void note_round(struct ranking *ranking, const struct ledger_entry *entry
     const struct round_record *round = &entry->round;
     const uint32_t board = ranking_board(round->mode, round->level);
     for (uint32_t k = 0; k < POI_MAX * RANK_PERIOD_COUNT; k++) {
-        const uint32_t seat = k / RANK_PERIOD_COUNT;
+        const uint32_t slot = k / RANK_PERIOD_COUNT;
         struct rank_row *rows = ranking->row[board][k % RANK_PERIOD_COUNT];
-        const uint32_t caught = round->player[seat].caught;
-        if (!(round->players & 1u << seat) || caught <= rows[RANK_ROWS - 1u].caught) {
+        const uint32_t caught = round->player[slot].caught;
+        if (!(round->players & 1u << slot) || caught <= rows[RANK_ROWS - 1u].caught) {
             continue;
         }
         uint32_t place = RANK_ROWS - 1u;
@@ -100,7 +100,7 @@ static void note_round(struct ranking *ranking, const struct ledger_entry *entry
             rows[place] = rows[place - 1u];
         }
         rows[place] = (struct rank_row){
-            .caught = caught, .round_id = entry->id, .day = entry->day, .seat = (uint8_t)seat
+            .caught = caught, .round_id = entry->id, .day = entry->day, .slot = (uint8_t)slot
         };
     }
 }
@@ -113,7 +113,7 @@ void ranking_note(struct ranking *ranking, const struct ledger_entry *entry)
     } else if (entry->kind == LEDGER_NAME) {
         struct rank_row *rows = &ranking->row[0][0][0];
         for (uint32_t i = 0; i < RANK_BOARD_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
-            if (rows[i].round_id == entry->count && rows[i].seat == entry->detail) {
+            if (rows[i].round_id == entry->count && rows[i].slot == entry->detail) {
                 memcpy(rows[i].name, entry->name, sizeof rows[i].name);
             }
         }
@@ -121,14 +121,14 @@ void ranking_note(struct ranking *ranking, const struct ledger_entry *entry)
 }
 
 uint32_t ranking_place(const struct ranking *ranking, uint32_t board, enum rank_period period,
-                       uint32_t round_id, uint8_t seat)
+                       uint32_t round_id, uint8_t slot)
 {
-    CORE_ASSERT(seat < POI_MAX);
+    CORE_ASSERT(slot < POI_MAX);
     CORE_ASSERT(board < RANK_BOARD_COUNT && period < RANK_PERIOD_COUNT);
     const struct rank_row *rows = ranking->row[board][period];
     uint32_t place = 0;
     while (place < RANK_ROWS && (rows[place].caught == 0 || rows[place].round_id != round_id ||
-                                 rows[place].seat != seat)) {
+                                 rows[place].slot != slot)) {
         place++;
     }
     return place;

@@ -34,7 +34,7 @@ struct rank_row {
     /* Id of the round's ledger entry. The store keeps the round's replay under this id. */
     uint32_t round_id;
     uint16_t day; /* Date of the round as a day number; 0 means unknown. */
-    uint8_t seat;
+    uint8_t slot;
     char name[LEDGER_NAME_SIZE]; /* Name of the player; "" until a name is entered. */
 };
 
@@ -60,7 +60,7 @@ uint32_t ranking_board(uint8_t mode, uint8_t level);
  * LEDGER_NAME adds a name to an earlier round. */
 void ranking_note(struct ranking *ranking, const struct ledger_entry *entry);
 
-/* Returns the place of slot `seat` of round `round_id` on board `board`, from 0. RANK_ROWS means
+/* Returns the place of slot `slot` of round `round_id` on board `board`, from 0. RANK_ROWS means
  * that the slot is not ranked. */
 uint32_t ranking_place(const struct ranking *ranking, uint32_t board, enum rank_period period,
-                       uint32_t round_id, uint8_t seat);
+                       uint32_t round_id, uint8_t slot);

@@ -214,7 +214,7 @@ static void place_text(const struct place *at)
                rules_of_level(at->board.level)->name, periods[at->period]);
     }
     print_line(stdout, "  %2u  %4u fish  %-10s  round %-7u seat %u  %-6s  %s", at->place + 1u,
-               at->row->caught, day, at->row->round_id, at->row->seat + 1u,
+               at->row->caught, day, at->row->round_id, at->row->slot + 1u,
                at->has_replay ? "replay" : "", at->row->name[0] ? at->row->name : "-");
 }
 
@@ -227,7 +227,7 @@ static void place_json(const struct place *at, struct json *json)
                " day: %s, replay: %hhd, name: %s}",
                rules_of(at->board.mode)->name, rules_of_level(at->board.level)->name,
                periods[at->period], at->place + 1u, at->row->caught, at->row->round_id,
-               at->row->seat + 1u, at->row->day ? day : "", at->has_replay, at->row->name);
+               at->row->slot + 1u, at->row->day ? day : "", at->has_replay, at->row->name);
 }
 
 static enum exit_code print_ranking(const struct scores_request *request, struct ledger_file *file)

@@ -20,7 +20,7 @@
 #define ROUND_TICKS_MAX (700u * CORE_TICK_HZ)
 
 /* State of one worker thread. The structure is too large for a stack. */
-struct seat {
+struct worker {
     struct core core;
     struct input input;
     struct output output;
@@ -54,34 +54,34 @@ static struct core_config config_of(const struct round_plan *plan)
     return config;
 }
 
-static enum exit_code play_through(struct seat *seat, struct round_result *result)
+static enum exit_code play_through(struct worker *worker, struct round_result *result)
 {
     for (uint32_t i = 0; i < ROUND_TICKS_MAX; i++) {
-        const uint8_t before = seat->output.phase;
-        seat->output.sound_count = 0;
+        const uint8_t before = worker->output.phase;
+        worker->output.sound_count = 0;
         /* Write the controller input of one tick. START is pressed once per second while no round
          * is played. The controller is always connected and has a wrist sensor. `trembles` is 1
          * only if the bot's hand trembles, because otherwise the core would treat a motionless hand
          * as a stuck sensor. */
         const bool idle = before == PHASE_ATTRACT || before == PHASE_MODE_SELECT;
-        struct poi_input *poi = &seat->input.poi[0];
-        seat->input.pressed = idle && seat->output.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
+        struct poi_input *poi = &worker->input.poi[0];
+        worker->input.pressed = idle && worker->output.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
         poi->link = POI_SOURCE_LIVE;
         poi->has_wrist = 1;
-        poi->trembles = seat->bot.technique.tremor_m > 0.0f;
-        const struct vision vision = core_vision(&seat->core, 0);
-        poi->target = bot_tick(&seat->bot, &vision);
-        if (core_tick(&seat->core, &seat->input, &seat->output) != CORE_OK) {
+        poi->trembles = worker->bot.technique.tremor_m > 0.0f;
+        const struct vision vision = core_vision(&worker->core, 0);
+        poi->target = bot_tick(&worker->bot, &vision);
+        if (core_tick(&worker->core, &worker->input, &worker->output) != CORE_OK) {
             result->is_refused = true;
             return EXIT_NOT_SO;
         }
-        if (seat->tap.tick) {
-            seat->tap.tick(seat->tap.self, &seat->input, &seat->core);
+        if (worker->tap.tick) {
+            worker->tap.tick(worker->tap.self, &worker->input, &worker->core);
         }
-        if (before == PHASE_ROUND && seat->output.phase != PHASE_ROUND) {
+        if (before == PHASE_ROUND && worker->output.phase != PHASE_ROUND) {
             /* The values come from the game state, because the core outputs no record of a practice
              * round. */
-            const struct round_record record = core_round_record(&seat->core);
+            const struct round_record record = core_round_record(&worker->core);
             const struct player_record *player = &record.player[0];
             const bool torn = player->torn_tick != 0;
             const uint32_t torn_ticks = torn ? player->torn_tick - record.start_tick : 0;
@@ -94,7 +94,7 @@ static enum exit_code play_through(struct seat *seat, struct round_result *resul
                 .torn = torn,
                 .torn_at_s = (double)torn_ticks / CORE_TICK_HZ,
                 .length_s = (double)(record.end_tick - record.start_tick) / CORE_TICK_HZ,
-                .state_hash = core_hash(&seat->core),
+                .state_hash = core_hash(&worker->core),
             };
             return EXIT_OK;
         }
@@ -102,31 +102,31 @@ static enum exit_code play_through(struct seat *seat, struct round_result *resul
     return EXIT_NOT_SO;
 }
 
-static struct round_result play_one(struct seat *seat, const struct round_plan *plan,
+static struct round_result play_one(struct worker *worker, const struct round_plan *plan,
                                     uint32_t index)
 {
     struct round_result result = { .code = EXIT_NOT_SO };
     const struct core_config config = config_of(plan);
-    const enum core_error refused = core_init(&seat->core, &config);
+    const enum core_error refused = core_init(&worker->core, &config);
     char path[ROUNDS_PATH_MAX];
     if (refused != CORE_OK) {
         result.is_refused = refused == CORE_ERR_FLOAT;
         result.code = result.is_refused ? EXIT_NOT_SO : EXIT_USAGE;
         return result;
     }
-    seat->input = (struct input){ 0 };
-    seat->output = (struct output){ 0 };
-    seat->tap = (struct kiosk_tap){ 0 };
-    bot_init(&seat->bot, &plan->technique, plan->seed);
-    seat->bot.hand.pose = core_status(&seat->core).player[0].hand_pose;
+    worker->input = (struct input){ 0 };
+    worker->output = (struct output){ 0 };
+    worker->tap = (struct kiosk_tap){ 0 };
+    bot_init(&worker->bot, &plan->technique, plan->seed);
+    worker->bot.hand.pose = core_status(&worker->core).player[0].hand_pose;
     if (plan->record) {
         rounds_record_path(path, plan->record, index);
-        result.error = -recorder_begin(&seat->recorder, path, &seat->core);
-        seat->tap = recorder_tap(&seat->recorder);
+        result.error = -recorder_begin(&worker->recorder, path, &worker->core);
+        worker->tap = recorder_tap(&worker->recorder);
     }
     if (result.error == 0) {
-        result.code = play_through(seat, &result);
-        result.error = plan->record ? -recorder_end(&seat->recorder) : 0;
+        result.code = play_through(worker, &result);
+        result.error = plan->record ? -recorder_end(&worker->recorder) : 0;
     }
     result.code = result.error ? EXIT_IO : result.code;
     return result;
@@ -147,13 +147,13 @@ static void *work(void *self)
     struct hall *hall = self;
     const struct rounds *rounds = hall->rounds;
     cpu_set_float();
-    struct seat *seat = malloc(sizeof *seat);
+    struct worker *worker = malloc(sizeof *worker);
     pthread_mutex_lock(&hall->lock);
-    hall->code = seat ? hall->code : EXIT_NOT_SO;
+    hall->code = worker ? hall->code : EXIT_NOT_SO;
     while (hall->code == EXIT_OK && hall->next < rounds->count) {
         const uint32_t i = hall->next++;
         pthread_mutex_unlock(&hall->lock);
-        const struct round_result result = play_one(seat, &rounds->plans[i], i);
+        const struct round_result result = play_one(worker, &rounds->plans[i], i);
         pthread_mutex_lock(&hall->lock);
         rounds->results[i] = result;
         hall->code = hall->code == EXIT_OK ? result.code : hall->code;
@@ -162,7 +162,7 @@ static void *work(void *self)
         }
     }
     pthread_mutex_unlock(&hall->lock);
-    free(seat);
+    free(worker);
     return NULL;
 }
 

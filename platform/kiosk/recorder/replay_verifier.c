@@ -119,8 +119,8 @@ static bool agrees_with(const struct replay_verifier *verifier, const struct ran
         if (row->caught == 0 || row->round_id != round_id) {
             continue;
         }
-        if (row->seat >= POI_MAX || board != i / (RANK_PERIOD_COUNT * RANK_ROWS) ||
-            !(round->players & 1u << row->seat) || round->player[row->seat].caught != row->caught) {
+        if (row->slot >= POI_MAX || board != i / (RANK_PERIOD_COUNT * RANK_ROWS) ||
+            !(round->players & 1u << row->slot) || round->player[row->slot].caught != row->caught) {
             return false;
         }
         is_found = true;

@@ -95,7 +95,7 @@ static void player_marks(const struct ui_frame *frame, uint8_t level, struct ui_
     const struct scene *const scene = frame->scene;
     const float radius = 18.0f * frame->unit;
     float y = box.y + 1.3f * radius;
-    for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
+    for (uint32_t i = 0; i < POI_MAX && ui_bowl_count(scene) > 1u; i++) {
         if (scene->player[i].has_hand && scene->player[i].level == level) {
             ui_player_mark(frame, box.x + 1.3f * radius, y, radius, i);
             y += 2.3f * radius;

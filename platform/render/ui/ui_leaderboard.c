@@ -80,7 +80,7 @@ static void row_at(const struct ui_frame *frame, const struct scene_row *row, ui
     const float u = frame->unit, y = box.y + 0.5f * box.height;
     if (row->is_new) {
         /* The background of a newly added row has the colour of the player's ring. */
-        const uint32_t colour = ui_player_colours[row->seat < POI_MAX ? row->seat : 0];
+        const uint32_t colour = ui_player_colours[row->slot < POI_MAX ? row->slot : 0];
         const float glow = 0.30f + 0.20f * ui_pulse(frame->time_s, 1.2f);
         ui_panel(frame, UI_PANEL, box, 9.0f * u, 2.0f * u, ui_fade(colour, glow), colour);
     }

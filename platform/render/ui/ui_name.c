@@ -17,7 +17,7 @@ _Static_assert(SCENE_NAME_LETTERS == NAME_LETTERS_MAX, "every letter can be show
 /* Returns the colour of the player who enters a name. */
 static uint32_t colour_of(const struct scene_name *name)
 {
-    return ui_player_colours[name->seat < POI_MAX ? name->seat : 0];
+    return ui_player_colours[name->slot < POI_MAX ? name->slot : 0];
 }
 
 /* ---- Player, leaderboard place and remaining time ------------------------------------------- */
@@ -25,7 +25,7 @@ static uint32_t colour_of(const struct scene_name *name)
 static void draw_name_title(const struct ui_frame *frame)
 {
     const struct scene *const scene = frame->scene;
-    const struct scene_player *const player = &scene->player[scene->name.seat];
+    const struct scene_player *const player = &scene->player[scene->name.slot];
     const float u = frame->unit;
     const struct ui_box line =
         ui_place_either(frame, canvas_box(300, 62, 680, 44), canvas_box(60, 150, 734, 70));
@@ -46,7 +46,7 @@ static void draw_name_title(const struct ui_frame *frame)
     if (ui_player_count(scene) > 1u) {
         const struct ui_box mark =
             ui_place_either(frame, canvas_box(250, 58, 0, 0), canvas_box(90, 105, 0, 0));
-        ui_player_mark(frame, mark.x, mark.y, 30.0f * u, scene->name.seat);
+        ui_player_mark(frame, mark.x, mark.y, 30.0f * u, scene->name.slot);
     }
     if (scene->seconds_left <= COUNTDOWN_S) {
         const struct ui_box at =

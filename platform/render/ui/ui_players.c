@@ -20,7 +20,7 @@ uint32_t ui_player_count(const struct scene *scene)
     return count;
 }
 
-uint32_t ui_seat_count(const struct scene *scene)
+uint32_t ui_bowl_count(const struct scene *scene)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -145,7 +145,7 @@ void ui_bowl_marks(const struct ui_frame *frame, float alpha)
 {
     const struct scene *const scene = frame->scene;
     const float radius = 24.0f * frame->unit, edge = radius + 4.0f * frame->unit;
-    for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
+    for (uint32_t i = 0; i < POI_MAX && ui_bowl_count(scene) > 1u; i++) {
         const bool is_wanted = scene->phase == PHASE_READY || scene->player[i].plays;
         if (is_wanted && scene->bowl[i].present) {
             const struct ui_point at = ui_project(frame, scene->bowl[i].position_m);

@@ -52,7 +52,7 @@ static float foul_flag(const struct ui_frame *frame, uint32_t player, float y)
     const char *name = ui_words(frame, (enum text_key)keys[state->foul]);
     const struct ui_text head = ui_style(frame, FONT_STALL, 32.0f, 0.0f, 0xffd9a0ffu, 0.0f);
     const struct ui_text body = ui_style(frame, FONT_STALL, 42.0f, 0.0f, 0xfff8eaffu, 0.0f);
-    const float mark = ui_seat_count(frame->scene) > 1u ? 58.0f * u : 0.0f;
+    const float mark = ui_bowl_count(frame->scene) > 1u ? 58.0f * u : 0.0f;
     const float head_width = ui_text_width(head, foul), gap = 20.0f * u, lamps = 112.0f * u;
     const float width =
         2.0f * 26.0f * u + mark + head_width + gap + ui_text_width(body, name) + lamps;
@@ -85,7 +85,7 @@ static void draw_pause(const struct ui_frame *frame)
             ui_style(frame, FONT_BODY, 30.0f, 0.5f, 0xfff8eaffu, frame->width - 60.0f * u),
             0.5f * frame->width, y + 82.0f * u, ui_words(frame, TEXT_PAUSED_WORDS));
     float x = 0.5f * frame->width + 270.0f * u;
-    for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
+    for (uint32_t i = 0; i < POI_MAX && ui_bowl_count(scene) > 1u; i++) {
         if (scene->player[i].lost && !scene->player[i].out) {
             ui_player_mark(frame, x, y - 30.0f * u, 24.0f * u, i);
             x += 56.0f * u;

@@ -67,7 +67,7 @@ uint32_t ui_first_player(const struct scene *scene);
 
 /* Returns the number of slots that play or have a bowl. Before a round begins, no slot plays, so
  * that only the slots with a bowl are counted. */
-uint32_t ui_seat_count(const struct scene *scene);
+uint32_t ui_bowl_count(const struct scene *scene);
 
 /* Returns the strength of the emphasis on a player's number of caught fish, [0, 1]. The strength is
  * 1 immediately after a catch, and decreases to 0. */

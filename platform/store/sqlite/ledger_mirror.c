@@ -179,7 +179,7 @@ int ledger_mirror_write(struct ledger_mirror *tail, const struct ledger_entry *e
     return result == 0 ? fdatasync(tail->handle) : result;
 }
 
-int ledger_mirror_erase_name(struct ledger_mirror *tail, uint32_t round_id, uint32_t seat)
+int ledger_mirror_erase_name(struct ledger_mirror *tail, uint32_t round_id, uint32_t player)
 {
     struct slot slot;
     int result = 0;
@@ -188,7 +188,7 @@ int ledger_mirror_erase_name(struct ledger_mirror *tail, uint32_t round_id, uint
         /* A slot whose name is already empty is also written again, because its earlier sync may
          * have failed. */
         if (read_slot(tail, i, &slot, NULL) && entry->kind == LEDGER_NAME &&
-            entry->count == round_id && entry->detail == seat) {
+            entry->count == round_id && entry->detail == player) {
             memset(entry->name, 0, sizeof entry->name);
             result = write_slot(tail, entry);
         }

@@ -66,9 +66,9 @@ static int read_round(struct ledger_file *file, uint32_t id, struct round_record
     code = sqlite3_prepare_v2(file->db, sql_get_players, -1, &row, NULL);
     sqlite3_bind_int64(row, 1, id);
     while (sql_row(row, &code)) {
-        const uint32_t seat = column_u32(row, 0);
-        if (seat < POI_MAX) {
-            round->player[seat] = (struct player_record){
+        const uint32_t slot = column_u32(row, 0);
+        if (slot < POI_MAX) {
+            round->player[slot] = (struct player_record){
                 column_u32(row, 1), column_u32(row, 2), column_u32(row, 3),
                 column_u32(row, 4), column_u32(row, 5), column_u8(row, 6),
             };
@@ -193,7 +193,7 @@ static void take_rank(struct ledger_content *content, sqlite3_stmt *row)
         rank->caught = column_u32(row, 4);
         rank->round_id = column_u32(row, 5);
         rank->day = column_u16(row, 6);
-        rank->seat = (uint8_t)sql_uint(row, 7, POI_MAX - 1u);
+        rank->slot = (uint8_t)sql_uint(row, 7, POI_MAX - 1u);
         sql_text(row, 8, rank->name, sizeof rank->name);
     }
 }

@@ -167,10 +167,10 @@ static int carry_over(struct ledger_file *file, sqlite3_stmt *old, sqlite3_stmt 
         };
         sqlite3_bind_int64(players, 1, sqlite3_column_int64(old, 0));
         while (sql_row(players, &code)) {
-            const uint32_t seat = sql_uint(players, 0, UINT32_MAX);
-            if (seat < POI_MAX) {
-                entry.round.players |= (uint8_t)(1u << seat);
-                entry.round.player[seat] = (struct player_record){
+            const uint32_t slot = sql_uint(players, 0, UINT32_MAX);
+            if (slot < POI_MAX) {
+                entry.round.players |= (uint8_t)(1u << slot);
+                entry.round.player[slot] = (struct player_record){
                     .caught = sql_uint(players, 1, UINT32_MAX),
                     .scoops = sql_uint(players, 2, UINT32_MAX),
                     .hole_area_mm2 = sql_uint(players, 3, UINT32_MAX),

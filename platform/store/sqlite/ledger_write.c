@@ -52,13 +52,13 @@ static void entry_values(const struct ledger_entry *entry, int64_t out[ENTRY_VAL
     memcpy(out, values, sizeof values);
 }
 
-static void player_values(const struct ledger_entry *entry, uint32_t seat,
+static void player_values(const struct ledger_entry *entry, uint32_t slot,
                           int64_t out[PLAYER_VALUES])
 {
-    CORE_ASSERT(seat < POI_MAX);
-    const struct player_record *player = &entry->round.player[seat];
+    CORE_ASSERT(slot < POI_MAX);
+    const struct player_record *player = &entry->round.player[slot];
     const int64_t values[PLAYER_VALUES] = {
-        entry->id,         seat,           player->caught, player->scoops, player->hole_area_mm2,
+        entry->id,         slot,           player->caught, player->scoops, player->hole_area_mm2,
         player->torn_tick, player->sheets, player->fouls
     };
     memcpy(out, values, sizeof values);
@@ -258,7 +258,7 @@ static int put_ranking(struct ledger_file *file, const struct ranking *before,
         const struct rank_board board = ranking_board_at(i / RANK_ROWS / RANK_PERIOD_COUNT);
         const int64_t values[] = { board.level,   board.mode,  i / RANK_ROWS % RANK_PERIOD_COUNT,
                                    i % RANK_ROWS, row->caught, row->round_id,
-                                   row->day,      row->seat };
+                                   row->day,      row->slot };
         if (memcmp(row, &before->row[0][0][0] + i, sizeof *row) != 0) {
             code = put(file, PUT_RANK, values, COUNT(values), row->name, sizeof row->name);
         }

@@ -49,19 +49,19 @@ static void leave_queue(struct day *day)
 
 /* Gives the free bowls to the first visitors of the queue. `queue_longest` does not count a visitor
  * who has just arrived at an empty queue, because this visitor does not wait. */
-static void take_seats(struct day *day)
+static void fill_bowls(struct day *day)
 {
     const bool is_queue =
         day->queue_length > 0 && day->visitors[day->queue[0]].arrival_s < day->now_s;
     if (is_queue && day->queue_length > day->queue_longest) {
         day->queue_longest = day->queue_length;
     }
-    const uint32_t room = day->options->bowls - day->seated_count;
+    const uint32_t room = day->options->bowls - day->playing_count;
     const uint32_t taken = day->queue_length < room ? day->queue_length : room;
     for (uint32_t i = 0; i < taken; i++) {
         struct visitor *visitor = &day->visitors[day->queue[i]];
         visitor->wait_s = day->now_s - visitor->arrival_s;
-        day->seated[day->seated_count++] = day->queue[i];
+        day->playing[day->playing_count++] = day->queue[i];
     }
     day->queue_length -= taken;
     memmove(day->queue, day->queue + taken, day->queue_length * sizeof day->queue[0]);
@@ -76,11 +76,11 @@ static bool play_round(struct day *day)
     const struct visitor *group[POI_MAX];
     struct day_round round = { 0 };
     uint8_t level = LEVEL_MASTER;
-    for (uint32_t i = 0; i < day->seated_count; i++) {
-        group[i] = &day->visitors[day->seated[i]];
+    for (uint32_t i = 0; i < day->playing_count; i++) {
+        group[i] = &day->visitors[day->playing[i]];
         level = group[i]->level > level ? group[i]->level : level;
     }
-    if (!day->stall.play(day->stall.self, group, day->seated_count, level, &round)) {
+    if (!day->stall.play(day->stall.self, group, day->playing_count, level, &round)) {
         return false;
     }
     day->now_s += round.took_s;
@@ -88,18 +88,18 @@ static bool play_round(struct day *day)
     day->busy_s += round.took_s;
     day->rounds[level]++;
     uint32_t stays = 0;
-    for (uint32_t i = 0; i < day->seated_count; i++) {
-        struct visitor *visitor = &day->visitors[day->seated[i]];
+    for (uint32_t i = 0; i < day->playing_count; i++) {
+        struct visitor *visitor = &day->visitors[day->playing[i]];
         visitor->plays++;
         visitor->caught += round.caught[i];
         visitor->caught_last = round.caught[i];
         if (visitor_plays_again(visitor, day->options->price)) {
-            day->seated[stays++] = day->seated[i];
+            day->playing[stays++] = day->playing[i];
         } else {
             count_visitor(day, visitor, VISITOR_PLAYED);
         }
     }
-    day->seated_count = stays;
+    day->playing_count = stays;
     return true;
 }
 
@@ -121,8 +121,8 @@ bool day_run(struct day *day)
     for (;;) {
         join_queue(day);
         leave_queue(day);
-        take_seats(day);
-        if (day->seated_count > 0) {
+        fill_bowls(day);
+        if (day->playing_count > 0) {
             if (!play_round(day)) {
                 return false;
             }

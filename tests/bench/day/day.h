@@ -65,10 +65,10 @@ struct day {
     uint32_t next;                    /* Number of visitors who have arrived. */
     uint32_t queue[DAY_VISITORS_MAX]; /* Indices of the visitors in the queue, first come first. */
     uint32_t queue_length;
-    uint32_t queue_longest;   /* Largest number of visitors who waited in the queue when a round
+    uint32_t queue_longest;    /* Largest number of visitors who waited in the queue when a round
                                  began. */
-    uint32_t seated[POI_MAX]; /* Indices of the visitors at the bowls. */
-    uint32_t seated_count;
+    uint32_t playing[POI_MAX]; /* Indices of the visitors at the bowls. */
+    uint32_t playing_count;
 
     uint32_t rounds[LEVEL_COUNT]; /* Number of rounds at each level (enum level). */
     /* Total duration of the rounds in seconds, including the changes of the players. */

@@ -74,7 +74,7 @@ static const struct habits *habits_of(const struct visitor *visitor)
 
 /* Puts the controller of a bowl into the hand of `visitor`. If `visitor` is null, the controller
  * rests over the bowl. */
-static void seat_person(struct table *table, uint32_t slot, const struct visitor *visitor)
+static void place_visitor(struct table *table, uint32_t slot, const struct visitor *visitor)
 {
     const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
     struct person *person = &table->persons[slot];
@@ -135,7 +135,7 @@ static bool play(void *self, const struct visitor *const *group, uint32_t count,
     CORE_ASSERT(count > 0 && count <= table->bowls);
     const double begin_s = now_s(table);
     for (uint32_t i = 0; i < table->bowls; i++) {
-        seat_person(table, i, i < count ? group[i] : NULL);
+        place_visitor(table, i, i < count ? group[i] : NULL);
     }
     table->kiosk.core.config.level = level;
     if (!run_seconds(table, DAY_CHANGE_S) || !start_round(table) || !run_round(table)) {
@@ -153,7 +153,7 @@ static bool idle(void *self, double seconds)
 {
     struct table *table = self;
     for (uint32_t i = 0; i < table->bowls; i++) {
-        seat_person(table, i, NULL);
+        place_visitor(table, i, NULL);
     }
     return run_seconds(table, seconds < IDLE_S_MAX ? seconds : IDLE_S_MAX);
 }
@@ -181,7 +181,7 @@ bool table_open(struct table *table, const struct day_options *options)
     table->hal.clock = config.stopwatch = sim_clock_device(&table->clock);
     table->hal.storage = storage_sim_device(&table->store);
     for (uint32_t i = 0; i < table->bowls; i++) {
-        seat_person(table, i, NULL);
+        place_visitor(table, i, NULL);
     }
     return kiosk_init(&table->kiosk, &table->hal, &config) == CORE_OK;
 }

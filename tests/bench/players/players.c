@@ -59,23 +59,23 @@ static void *work(void *self)
 {
     struct league_hall *hall = self;
     const uint32_t count = hall->player_count * hall->options->seeds;
-    struct round_seat *seat = malloc(sizeof *seat);
+    struct round_worker *worker = malloc(sizeof *worker);
     cpu_set_float();
     pthread_mutex_lock(&hall->lock);
-    hall->failed |= seat == NULL;
+    hall->failed |= worker == NULL;
     while (!hall->failed && hall->next < count) {
         const uint32_t index = hall->next++, player = index % hall->player_count;
         const uint32_t seed = index / hall->player_count;
         struct player_round *round = &hall->rounds[player * hall->options->seeds + seed];
         pthread_mutex_unlock(&hall->lock);
-        const bool is_played = round_play(seat, hall->players[player], hall->options->level,
+        const bool is_played = round_play(worker, hall->players[player], hall->options->level,
                                           hall->options->first + seed, round);
         pthread_mutex_lock(&hall->lock);
         hall->failed |= !is_played;
         progress_add(&hall->progress);
     }
     pthread_mutex_unlock(&hall->lock);
-    free(seat);
+    free(worker);
     return NULL;
 }
 

@@ -65,7 +65,7 @@ static uint8_t outcome_at_lift(const struct core *core, uint32_t fish)
 
 /* Records that the chosen fish has begun to flee. After the dip, the function also records the
  * cause, the distance between fish and ring, and the speed of the ring. */
-static void observe_flight(struct round_seat *seat, const struct core *core,
+static void observe_flight(struct round_worker *worker, const struct core *core,
                            const struct fish *prey)
 {
     static const uint8_t ends[PLAYER_STATE_COUNT] = {
@@ -73,59 +73,59 @@ static void observe_flight(struct round_seat *seat, const struct core *core,
         [PLAYER_STILL] = ATTEMPT_FLED_DIP,     [PLAYER_FOLLOW] = ATTEMPT_FLED_FOLLOW,
         [PLAYER_RISE] = ATTEMPT_FLED_LIFT,     [PLAYER_CARRY] = ATTEMPT_FLED_LIFT,
     };
-    struct player_round *result = seat->result;
-    seat->prey_fled = true;
-    seat->attempt_end = ends[seat->person.player.state];
-    if (seat->person.player.state < PLAYER_STILL) {
+    struct player_round *result = worker->result;
+    worker->prey_fled = true;
+    worker->attempt_end = ends[worker->person.player.state];
+    if (worker->person.player.state < PLAYER_STILL) {
         return;
     }
     const struct poi *poi = &core->world.poi[0];
     const vec3 off = v3_sub(prey->position_m, poi->position_m);
     const vec3 normal = vec_basis_from_angles(poi->angles).up;
     result->flights++;
-    result->flights_by_sight += seat->prey_startle == STARTLE_LOOM;
-    result->flights_by_pressure += seat->prey_startle == STARTLE_PRESSURE;
+    result->flights_by_sight += worker->prey_startle == STARTLE_LOOM;
+    result->flights_by_pressure += worker->prey_startle == STARTLE_PRESSURE;
     result->flight_m += (double)v3_length(v3(off.x, 0.0f, off.z));
     result->flight_above_m -= (double)off.y;
     result->flight_m_s += (double)f_abs(v3_dot(poi->velocity_m_s, normal));
-    result->flight_s += (double)(core->game.tick - seat->dip_tick) / CORE_TICK_HZ;
+    result->flight_s += (double)(core->game.tick - worker->dip_tick) / CORE_TICK_HZ;
 }
 
 /* Checks in each tick whether the chosen fish flees and whether the player's state has changed. */
-static void observe_attempt(struct round_seat *seat, const struct core *core)
+static void observe_attempt(struct round_worker *worker, const struct core *core)
 {
-    const struct sim_player *player = &seat->person.player;
-    if (seat->is_bot || player->prey == PLAYER_NO_FISH || core->game.phase != PHASE_ROUND) {
+    const struct sim_player *player = &worker->person.player;
+    if (worker->is_bot || player->prey == PLAYER_NO_FISH || core->game.phase != PHASE_ROUND) {
         return;
     }
     const struct fish *prey = &core->world.tank.fish[player->prey];
-    const uint8_t before = seat->state;
-    seat->state = player->state;
+    const uint8_t before = worker->state;
+    worker->state = player->state;
     if (before != player->state) {
         if (player->state == PLAYER_REACH) {
-            seat->prey_fled = false;
-            seat->prey_startle = STARTLE_NONE;
+            worker->prey_fled = false;
+            worker->prey_startle = STARTLE_NONE;
         } else if (player->state == PLAYER_STILL) {
-            seat->dip_tick = core->game.tick;
-        } else if (player->state == PLAYER_RISE && !seat->prey_fled) {
-            seat->attempt_end = outcome_at_lift(core, player->prey);
+            worker->dip_tick = core->game.tick;
+        } else if (player->state == PLAYER_RISE && !worker->prey_fled) {
+            worker->attempt_end = outcome_at_lift(core, player->prey);
         } else if (before == PLAYER_RISE) {
             const bool is_held = player->state == PLAYER_CARRY;
-            seat->result->attempts[is_held ? (uint8_t)ATTEMPT_HELD : seat->attempt_end]++;
+            worker->result->attempts[is_held ? (uint8_t)ATTEMPT_HELD : worker->attempt_end]++;
         }
     }
-    seat->prey_startle = prey->startle != STARTLE_NONE ? prey->startle : seat->prey_startle;
-    if (!seat->prey_fled && prey->gait == GAIT_ESCAPE) {
-        observe_flight(seat, core, prey);
+    worker->prey_startle = prey->startle != STARTLE_NONE ? prey->startle : worker->prey_startle;
+    if (!worker->prey_fled && prey->gait == GAIT_ESCAPE) {
+        observe_flight(worker, core, prey);
     }
 }
 
 static void observe_tick(void *self, const struct input *input, const struct core *core)
 {
-    struct round_seat *seat = self;
+    struct round_worker *worker = self;
     (void)input;
-    observe_paper(seat->result, core);
-    observe_attempt(seat, core);
+    observe_paper(worker->result, core);
+    observe_attempt(worker, core);
 }
 
 /* ---- Round ----------------------------------------------------------------------------------- */
@@ -133,18 +133,18 @@ static void observe_tick(void *self, const struct input *input, const struct cor
 /* Writes the input of one tick of the bot, as kingyoctl play does. */
 static int bot_input(void *self, struct input *out)
 {
-    struct round_seat *seat = self;
-    const struct core *core = &seat->kiosk.core;
+    struct round_worker *worker = self;
+    const struct core *core = &worker->kiosk.core;
     out->poi[0].link = POI_SOURCE_LIVE;
     out->poi[0].has_wrist = 1;
-    out->poi[0].trembles = seat->bot.technique.tremor_m > 0.0f;
+    out->poi[0].trembles = worker->bot.technique.tremor_m > 0.0f;
     out->poi[0].target = bot_tick(
-        &seat->bot, &(struct vision){ .game = &core->game, .world = &core->world, .player = 0 });
+        &worker->bot, &(struct vision){ .game = &core->game, .world = &core->world, .player = 0 });
     return 1;
 }
 
-static bool open_seat(struct round_seat *seat, const struct habits *habits, uint8_t level,
-                      uint32_t seed)
+static bool worker_open(struct round_worker *worker, const struct habits *habits, uint8_t level,
+                        uint32_t seed)
 {
     const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
     struct kiosk_config config = {
@@ -155,25 +155,25 @@ static bool open_seat(struct round_seat *seat, const struct habits *habits, uint
                   .modes = 1u << MODE_FESTIVAL,
                   .grade = ROUND_GRADE,
                   .lanes = cpu_lanes() },
-        .tap = { .tick = observe_tick, .self = seat },
+        .tap = { .tick = observe_tick, .self = worker },
     };
     config.core.level = level;
-    seat->is_bot = habits->device == PLAYER_BOT;
-    seat->prey_fled = false;
-    seat->state = PLAYER_CHOOSE;
-    seat->hal = null_hal(NULL);
-    person_init(&seat->person, habits, view, 0, seed, 0);
-    seat->hal.clock = config.stopwatch = sim_clock_device(&seat->person.clock);
-    if (seat->is_bot) {
-        config.source = (struct kiosk_source){ .next = bot_input, .self = seat };
-        bot_init(&seat->bot, &technique_expert, seed);
+    worker->is_bot = habits->device == PLAYER_BOT;
+    worker->prey_fled = false;
+    worker->state = PLAYER_CHOOSE;
+    worker->hal = null_hal(NULL);
+    person_init(&worker->person, habits, view, 0, seed, 0);
+    worker->hal.clock = config.stopwatch = sim_clock_device(&worker->person.clock);
+    if (worker->is_bot) {
+        config.source = (struct kiosk_source){ .next = bot_input, .self = worker };
+        bot_init(&worker->bot, &technique_expert, seed);
     } else {
-        seat->hal.poi[0] = person_poi(&seat->person);
+        worker->hal.poi[0] = person_poi(&worker->person);
     }
-    if (kiosk_init(&seat->kiosk, &seat->hal, &config) != CORE_OK) {
+    if (kiosk_init(&worker->kiosk, &worker->hal, &config) != CORE_OK) {
         return false;
     }
-    seat->bot.hand.pose = seat->kiosk.core.game.control[0].hand_pose;
+    worker->bot.hand.pose = worker->kiosk.core.game.control[0].hand_pose;
     return true;
 }
 
@@ -189,28 +189,28 @@ static void read_round(const struct core *core, struct player_round *result)
         result->torn ? (double)(player->torn_tick - record.start_tick) / CORE_TICK_HZ : 0.0;
 }
 
-bool round_play(struct round_seat *seat, const struct habits *habits, uint8_t level, uint32_t seed,
-                struct player_round *result)
+bool round_play(struct round_worker *worker, const struct habits *habits, uint8_t level,
+                uint32_t seed, struct player_round *result)
 {
     *result = (struct player_round){ 0 };
-    seat->result = result;
-    if (!open_seat(seat, habits, level, seed)) {
+    worker->result = result;
+    if (!worker_open(worker, habits, level, seed)) {
         return false;
     }
-    struct kiosk *kiosk = &seat->kiosk;
+    struct kiosk *kiosk = &worker->kiosk;
     for (uint32_t i = 0; i < ROUND_FRAMES_MAX; i++) {
         const uint8_t before = kiosk->core.game.phase;
         const bool is_idle = before == PHASE_ATTRACT || before == PHASE_MODE_SELECT;
         kiosk->input.pressed = is_idle && i % START_FRAMES == START_FRAMES / 2u ? INPUT_START : 0;
-        person_act(&seat->person);
-        if (kiosk_frame(kiosk, &seat->hal) != KIOSK_RUNS) {
+        person_act(&worker->person);
+        if (kiosk_frame(kiosk, &worker->hal) != KIOSK_RUNS) {
             return false;
         }
         if (before == PHASE_ROUND && kiosk->core.game.phase != PHASE_ROUND) {
             read_round(&kiosk->core, result);
             return true;
         }
-        person_see(&seat->person, &kiosk->scene);
+        person_see(&worker->person, &kiosk->scene);
     }
     return false;
 }

@@ -55,7 +55,7 @@ struct player_round {
 
 /* State of one worker thread, which plays one round after another. The struct is too large for a
  * stack. */
-struct round_seat {
+struct round_worker {
     struct kiosk kiosk;
     struct hal hal;
     struct person person; /* The clock of the person's device is also the clock of the kiosk. */
@@ -73,7 +73,7 @@ struct round_seat {
 
 /* Plays one round at the level `level` (enum level). Returns false if the kiosk refused to
  * start or the round did not end. */
-bool round_play(struct round_seat *seat, const struct habits *habits, uint8_t level, uint32_t seed,
-                struct player_round *result);
+bool round_play(struct round_worker *worker, const struct habits *habits, uint8_t level,
+                uint32_t seed, struct player_round *result);
 
 #endif

@@ -21,41 +21,41 @@ static const uint8_t kinds[COUNT] = { INPUT_KIND_USB,     INPUT_KIND_USB,     IN
                                       INPUT_KIND_USB,     INPUT_KIND_GAMEPAD, INPUT_KIND_GAMEPAD,
                                       INPUT_KIND_GAMEPAD, INPUT_KIND_GAMEPAD, INPUT_KIND_POINTER };
 
-static void assert_share(uint8_t seat[POI_MAX], uint32_t there, const uint8_t wanted[POI_MAX])
+static void assert_share(uint8_t slot[POI_MAX], uint32_t there, const uint8_t wanted[POI_MAX])
 {
-    input_mux_assign(seat, kinds, COUNT, there);
-    assert_memory_equal(seat, wanted, POI_MAX);
+    input_mux_assign(slot, kinds, COUNT, there);
+    assert_memory_equal(slot, wanted, POI_MAX);
 }
 
 static void test_the_best_controller_gets_the_first_slot(void **state)
 {
     (void)state;
-    uint8_t seat[POI_MAX] = { NOBODY, NOBODY, NOBODY, NOBODY };
-    assert_share(seat, 0, (uint8_t[]){ NOBODY, NOBODY, NOBODY, NOBODY });
-    assert_share(seat, BIT(MOUSE), (uint8_t[]){ MOUSE, NOBODY, NOBODY, NOBODY });
-    assert_share(seat, BIT(MOUSE) | BIT(PAD2), (uint8_t[]){ PAD2, MOUSE, NOBODY, NOBODY });
-    assert_share(seat, BIT(MOUSE) | BIT(PAD2) | BIT(USB1),
+    uint8_t slot[POI_MAX] = { NOBODY, NOBODY, NOBODY, NOBODY };
+    assert_share(slot, 0, (uint8_t[]){ NOBODY, NOBODY, NOBODY, NOBODY });
+    assert_share(slot, BIT(MOUSE), (uint8_t[]){ MOUSE, NOBODY, NOBODY, NOBODY });
+    assert_share(slot, BIT(MOUSE) | BIT(PAD2), (uint8_t[]){ PAD2, MOUSE, NOBODY, NOBODY });
+    assert_share(slot, BIT(MOUSE) | BIT(PAD2) | BIT(USB1),
                  (uint8_t[]){ USB1, PAD2, MOUSE, NOBODY });
-    assert_share(seat, BIT(MOUSE), (uint8_t[]){ MOUSE, NOBODY, NOBODY, NOBODY });
+    assert_share(slot, BIT(MOUSE), (uint8_t[]){ MOUSE, NOBODY, NOBODY, NOBODY });
 }
 
 static void test_an_assigned_controller_keeps_its_slot_among_its_kind(void **state)
 {
     (void)state;
-    uint8_t seat[POI_MAX] = { NOBODY, NOBODY, NOBODY, NOBODY };
-    assert_share(seat, BIT(USB2), (uint8_t[]){ USB2, NOBODY, NOBODY, NOBODY });
-    assert_share(seat, BIT(USB2) | BIT(USB0), (uint8_t[]){ USB2, USB0, NOBODY, NOBODY });
-    assert_share(seat, BIT(USB2) | BIT(USB0) | BIT(USB3), (uint8_t[]){ USB2, USB0, USB3, NOBODY });
-    assert_share(seat, BIT(USB0) | BIT(USB3), (uint8_t[]){ USB3, USB0, NOBODY, NOBODY });
+    uint8_t slot[POI_MAX] = { NOBODY, NOBODY, NOBODY, NOBODY };
+    assert_share(slot, BIT(USB2), (uint8_t[]){ USB2, NOBODY, NOBODY, NOBODY });
+    assert_share(slot, BIT(USB2) | BIT(USB0), (uint8_t[]){ USB2, USB0, NOBODY, NOBODY });
+    assert_share(slot, BIT(USB2) | BIT(USB0) | BIT(USB3), (uint8_t[]){ USB2, USB0, USB3, NOBODY });
+    assert_share(slot, BIT(USB0) | BIT(USB3), (uint8_t[]){ USB3, USB0, NOBODY, NOBODY });
 }
 
 static void test_a_fifth_controller_gets_no_slot(void **state)
 {
     (void)state;
-    uint8_t seat[POI_MAX] = { NOBODY, NOBODY, NOBODY, NOBODY };
-    assert_share(seat, BIT(PAD0) | BIT(PAD1) | BIT(PAD2) | BIT(PAD3) | BIT(MOUSE),
+    uint8_t slot[POI_MAX] = { NOBODY, NOBODY, NOBODY, NOBODY };
+    assert_share(slot, BIT(PAD0) | BIT(PAD1) | BIT(PAD2) | BIT(PAD3) | BIT(MOUSE),
                  (uint8_t[]){ PAD0, PAD1, PAD2, PAD3 });
-    assert_share(seat, BIT(USB0) | BIT(PAD0) | BIT(PAD1) | BIT(PAD2) | BIT(PAD3) | BIT(MOUSE),
+    assert_share(slot, BIT(USB0) | BIT(PAD0) | BIT(PAD1) | BIT(PAD2) | BIT(PAD3) | BIT(MOUSE),
                  (uint8_t[]){ USB0, PAD1, PAD2, PAD0 });
 }
 
@@ -65,24 +65,24 @@ static void test_a_fifth_controller_gets_no_slot(void **state)
 static void test_every_set_of_controllers_is_assigned_correctly(void **state)
 {
     (void)state;
-    uint8_t seat[POI_MAX] = { NOBODY, NOBODY, NOBODY, NOBODY };
+    uint8_t slot[POI_MAX] = { NOBODY, NOBODY, NOBODY, NOBODY };
     for (uint32_t turn = 0; turn < 20000; turn++) {
         const uint32_t there =
             rng_u32((struct rng_key){ 6, turn, 0, RNG_TEST }) & (BIT(COUNT) - 1u);
         const uint32_t guests = (uint32_t)__builtin_popcount(there);
         uint32_t seen = 0;
-        input_mux_assign(seat, kinds, COUNT, there);
+        input_mux_assign(slot, kinds, COUNT, there);
         for (uint32_t i = 0; i < POI_MAX; i++) {
-            assert_int_equal(seat[i] != NOBODY, i < guests);
-            if (seat[i] != NOBODY) {
-                assert_true(there & BIT(seat[i]));
-                assert_false(seen & BIT(seat[i]));
-                assert_true(i == 0 || kinds[seat[i - 1]] <= kinds[seat[i]]);
-                seen |= BIT(seat[i]);
+            assert_int_equal(slot[i] != NOBODY, i < guests);
+            if (slot[i] != NOBODY) {
+                assert_true(there & BIT(slot[i]));
+                assert_false(seen & BIT(slot[i]));
+                assert_true(i == 0 || kinds[slot[i - 1]] <= kinds[slot[i]]);
+                seen |= BIT(slot[i]);
             }
         }
-        const uint8_t before[POI_MAX] = { seat[0], seat[1], seat[2], seat[3] };
-        assert_share(seat, there, before);
+        const uint8_t before[POI_MAX] = { slot[0], slot[1], slot[2], slot[3] };
+        assert_share(slot, there, before);
     }
 }
 
@@ -133,7 +133,7 @@ static bool source_is_present(void *self)
     return source->there;
 }
 
-static struct input_mux seats;
+static struct input_mux mux;
 static struct hal hal;
 static struct source usb, pad, mouse;
 
@@ -151,7 +151,7 @@ static void add(struct source *source, enum input_kind kind)
         .self = source,
         .kind = (uint8_t)kind,
     };
-    assert_int_equal(input_mux_add(&seats, &one), 0);
+    assert_int_equal(input_mux_add(&mux, &one), 0);
 }
 
 static int begin(void **state)
@@ -160,7 +160,7 @@ static int begin(void **state)
     usb = pad = (struct source){ 0 };
     mouse = (struct source){ .there = 1 };
     hal = null_hal(NULL);
-    hal.seats = input_mux_init(&seats, &hal, "plug one in");
+    hal.slots = input_mux_init(&mux, &hal, "plug one in");
     add(&usb, INPUT_KIND_USB);
     add(&pad, INPUT_KIND_GAMEPAD);
     add(&mouse, INPUT_KIND_POINTER);
@@ -169,7 +169,7 @@ static int begin(void **state)
 
 static uint32_t arrange(int may_move)
 {
-    return hal.seats.ops->arrange(hal.seats.self, may_move);
+    return hal.slots.ops->arrange(hal.slots.self, may_move);
 }
 
 static void test_a_slot_forwards_calls_to_its_assigned_source(void **state)
@@ -234,7 +234,7 @@ static void test_a_lost_controller_keeps_its_slot_during_the_game(void **state)
 static void test_a_substitute_gets_a_slot_if_no_other_exists_or_once_used(void **state)
 {
     (void)state;
-    seats.source[2].stands_in = 1;
+    mux.source[2].stands_in = 1;
     mouse.there = 0;
     mouse.lies_about = 1;
     assert_int_equal(arrange(1), 1u);
@@ -282,7 +282,7 @@ static void test_a_lost_controller_is_replaced_in_a_game_by_one_of_its_kind(void
 static void test_a_source_without_a_slot_is_still_polled(void **state)
 {
     (void)state;
-    while (seats.source_count < POI_MAX + 1u) {
+    while (mux.source_count < POI_MAX + 1u) {
         add(&pad, INPUT_KIND_GAMEPAD);
     }
     usb.there = pad.there = 1;
@@ -315,11 +315,11 @@ static void test_a_source_that_loses_its_slot_gets_zero_force(void **state)
 static void test_a_source_beyond_the_maximum_is_rejected(void **state)
 {
     (void)state;
-    while (seats.source_count < INPUT_SOURCE_MAX) {
+    while (mux.source_count < INPUT_SOURCE_MAX) {
         add(&pad, INPUT_KIND_GAMEPAD);
     }
-    assert_int_equal(input_mux_add(&seats, &seats.source[0]), -1);
-    assert_int_equal(seats.source_count, INPUT_SOURCE_MAX);
+    assert_int_equal(input_mux_add(&mux, &mux.source[0]), -1);
+    assert_int_equal(mux.source_count, INPUT_SOURCE_MAX);
 }
 
 int main(void)

@@ -33,11 +33,11 @@ static inline struct poi_target seen(const struct twin *twin, struct poi_target 
 }
 
 /* Writes calibration values and their check value into the settings of one player. */
-static inline void set_values(struct settings *settings, uint32_t seat, const int32_t *value)
+static inline void set_values(struct settings *settings, uint32_t slot, const int32_t *value)
 {
-    memcpy(&settings->value[input_calibration_setting(seat)], value,
+    memcpy(&settings->value[input_calibration_setting(slot)], value,
            CALIBRATION_VALUES * sizeof *value);
-    settings->value[input_calibration_check_setting(seat)] = input_calibration_check(value);
+    settings->value[input_calibration_check_setting(slot)] = input_calibration_check(value);
 }
 
 #endif

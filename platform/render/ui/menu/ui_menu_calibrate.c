@@ -39,7 +39,7 @@ static enum text_key words_of(const struct scene *scene)
     };
     const struct scene_menu *const menu = &scene->menu;
     const uint8_t step = menu->calibrate_step, fault = menu->calibrate_fault;
-    const bool is_there = scene->devices.axes[menu->seat].link == POI_SOURCE_LIVE;
+    const bool is_there = scene->devices.axes[menu->slot].link == POI_SOURCE_LIVE;
     return step == CALIBRATE_REFUSED ? faults[fault < CALIBRATION_FAULTS ? fault : 0u]
            : step == CALIBRATE_DONE  ? TEXT_CALIBRATE_DONE_WORDS
            : !is_there               ? TEXT_CALIBRATE_NO_POI
@@ -96,7 +96,7 @@ static void draw_calibration_marks(const struct ui_frame *frame, struct ui_box p
     const struct scene_menu *const menu = &scene->menu;
     const float u = frame->unit, room = 26.0f * u;
     const uint8_t step = menu->calibrate_step;
-    const uint32_t colour = ui_player_colours[menu->seat];
+    const uint32_t colour = ui_player_colours[menu->slot];
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
         const struct layout_point at =
             place_in(frame, pool, input_calibration_mark(scene->tank_size_m, i));
@@ -111,7 +111,7 @@ static void draw_calibration_marks(const struct ui_frame *frame, struct ui_box p
             ui_poi_sign(frame, at.x, at.y, 21.0f * u, 1.0f, colour);
         }
     }
-    if (scene->devices.axes[menu->seat].link == POI_SOURCE_LIVE && !is_corner(step)) {
+    if (scene->devices.axes[menu->slot].link == POI_SOURCE_LIVE && !is_corner(step)) {
         const struct layout_point at = place_in(frame, pool, menu->calibrated_m);
         ui_poi_sign(frame, f_clamp(at.x, pool.x + room, pool.x + pool.width - room),
                     f_clamp(at.y, pool.y + room, pool.y + pool.height - room), 24.0f * u, 1.0f,
@@ -133,7 +133,7 @@ void menu_calibration(const struct ui_frame *frame)
     };
     const struct places *const places = &layouts[frame->is_upright];
     const struct scene_menu *const menu = &frame->scene->menu;
-    CORE_ASSERT(menu->seat < POI_MAX);
+    CORE_ASSERT(menu->slot < POI_MAX);
     const uint8_t step = menu->calibrate_step;
     const float u = frame->unit;
     const struct ui_box pool = draw_basin_water(frame, ui_place(frame, places->basin), 22.0f * u,
@@ -146,7 +146,7 @@ void menu_calibration(const struct ui_frame *frame)
         const float left[2] = { x - 90.0f * u, y }, right[2] = { x + 90.0f * u, y };
         const float grip[2] = { x + 210.0f * u, y };
         ui_segment(frame->batch, left, right, 9.0f * u, UI_CREAM);
-        ui_segment(frame->batch, right, grip, 14.0f * u, ui_player_colours[menu->seat]);
+        ui_segment(frame->batch, right, grip, 14.0f * u, ui_player_colours[menu->slot]);
         draw_calibration_ring(frame, x, water - 130.0f * u, 30.0f * u,
                               menu->menu_calibrate_progress);
     } else {
@@ -155,9 +155,9 @@ void menu_calibration(const struct ui_frame *frame)
     /* The player's number, and whether a calibration is stored for this player's controller. */
     const struct ui_box line = ui_place(frame, places->state);
     const float line_y = line.y + 0.5f * line.height;
-    const bool is_torn = input_calibration_is_torn(&menu->settings, menu->seat);
-    const bool is_set = menu->calibrated >> menu->seat & 1u;
-    ui_player_mark(frame, line.x + 24.0f * u, line_y, 16.0f * u, menu->seat);
+    const bool is_torn = input_calibration_is_torn(&menu->settings, menu->slot);
+    const bool is_set = menu->calibrated >> menu->slot & 1u;
+    ui_player_mark(frame, line.x + 24.0f * u, line_y, 16.0f * u, menu->slot);
     ui_label_at(frame, line.x + 56.0f * u, line_y, line.width - 60.0f * u, 24.0f, UI_CREAM,
                 is_torn  ? TEXT_CALIBRATE_IS_TORN
                 : is_set ? TEXT_CALIBRATE_IS_SET

@@ -137,13 +137,13 @@ static const struct axis axes[AXIS_COUNT] = {
 
 /* Draws a bar from the middle to the right for a positive value and to the left for a negative
  * value. Beside the bar, draws the value in mm or degrees. */
-static void axis_bar(const struct ui_frame *frame, const struct scene_axes *seat, struct ui_box box,
-                     uint32_t axis)
+static void axis_bar(const struct ui_frame *frame, const struct scene_axes *input,
+                     struct ui_box box, uint32_t axis)
 {
     CORE_ASSERT(axis < AXIS_COUNT);
-    const float values[AXIS_COUNT] = { seat->position_m.x,     seat->position_m.y,
-                                       seat->position_m.z,     seat->angles.yaw_rad,
-                                       seat->angles.pitch_rad, seat->angles.roll_rad };
+    const float values[AXIS_COUNT] = { input->position_m.x,     input->position_m.y,
+                                       input->position_m.z,     input->angles.yaw_rad,
+                                       input->angles.pitch_rad, input->angles.roll_rad };
     const float u = frame->unit, value = isfinite(values[axis]) ? values[axis] : 0.0f;
     const float track = box.x + 46.0f * u, width = box.width - 136.0f * u;
     const float middle = track + 0.5f * width, y = box.y + 0.5f * box.height;
@@ -166,46 +166,46 @@ static void axis_bar(const struct ui_frame *frame, const struct scene_axes *seat
 
 /* Draws the heading above the bars: the slot (place of one of up to four controllers), the
  * controller's state, the report rate and the longest time between two reports. */
-static void axes_heading(const struct ui_frame *frame, const struct scene_axes *seat,
+static void axes_heading(const struct ui_frame *frame, const struct scene_axes *input,
                          uint32_t index, struct ui_box box)
 {
     const float u = frame->unit, y = box.y + 30.0f * u;
     char words[TEXT_LINE_MAX];
     ui_player_mark(frame, box.x + 34.0f * u, y, 18.0f * u, index);
     ui_label_at(frame, box.x + 64.0f * u, y, 0.24f * box.width, 24.0f, UI_INK,
-                seat->link == POI_SOURCE_LIVE   ? TEXT_AXIS_LIVE
-                : seat->link == POI_SOURCE_BOT  ? TEXT_AXIS_BOT
-                : seat->link == POI_SOURCE_LOST ? TEXT_AXIS_LOST
-                                                : TEXT_AXIS_ABSENT);
-    if (seat->link != POI_SOURCE_LIVE) {
+                input->link == POI_SOURCE_LIVE   ? TEXT_AXIS_LIVE
+                : input->link == POI_SOURCE_BOT  ? TEXT_AXIS_BOT
+                : input->link == POI_SOURCE_LOST ? TEXT_AXIS_LOST
+                                                 : TEXT_AXIS_ABSENT);
+    if (input->link != POI_SOURCE_LIVE) {
         return;
     }
-    text_number(words, sizeof words, ui_words(frame, TEXT_AXIS_RATE), seat->report_count);
+    text_number(words, sizeof words, ui_words(frame, TEXT_AXIS_RATE), input->report_count);
     ui_words_at(frame, box.x + 0.62f * box.width, y, 0.28f * box.width, 1.0f,
                 ui_body(frame, 22.0f, UI_INK_SOFT), words);
     text_number(words, sizeof words, ui_words(frame, TEXT_AXIS_GAP),
-                (uint32_t)fminf(fmaxf(seat->gap_ms, 0.0f), 99999.0f));
+                (uint32_t)fminf(fmaxf(input->gap_ms, 0.0f), 99999.0f));
     ui_words_at(frame, box.x + box.width - 20.0f * u, y, 0.31f * box.width, 1.0f,
-                ui_body(frame, 22.0f, seat->gap_ms >= GAP_BAD_MS ? MENU_BAD : UI_INK_SOFT), words);
+                ui_body(frame, 22.0f, input->gap_ms >= GAP_BAD_MS ? MENU_BAD : UI_INK_SOFT), words);
 }
 
 void menu_axes(const struct ui_frame *frame)
 {
     const float u = frame->unit;
     for (uint32_t index = 0; index < POI_MAX; index++) {
-        const struct scene_axes *const seat = &frame->scene->devices.axes[index];
+        const struct scene_axes *const input = &frame->scene->devices.axes[index];
         const float column = (float)(index % 2u), row = (float)(index / 2u);
         const struct ui_box box = ui_place_either(
             frame, canvas_box(40.0f + 610.0f * column, 120.0f + 240.0f * row, 590, 228),
             canvas_box(27, 200.0f + 258.0f * (float)index, 800, 240));
         menu_paper(frame, box);
-        axes_heading(frame, seat, index, box);
+        axes_heading(frame, input, index, box);
         const float pitch = (box.height - 68.0f * u) / 3.0f, width = 0.5f * box.width - 34.0f * u;
-        for (uint32_t axis = 0; axis < AXIS_COUNT && seat->link == POI_SOURCE_LIVE; axis++) {
+        for (uint32_t axis = 0; axis < AXIS_COUNT && input->link == POI_SOURCE_LIVE; axis++) {
             /* Positions are drawn on the left side, rotations on the right side. */
             const float x = box.x + 22.0f * u + (axis >= 3u ? width + 24.0f * u : 0.0f);
             const float y = box.y + 58.0f * u + (float)(axis % 3u) * pitch;
-            axis_bar(frame, seat, (struct ui_box){ x, y, width, pitch }, axis);
+            axis_bar(frame, input, (struct ui_box){ x, y, width, pitch }, axis);
         }
     }
 }

@@ -75,7 +75,7 @@ static uint32_t frame(int may_move)
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
     hal.display.ops->poll(hal.display.self, &events);
     hal.controllers.ops->poll(hal.controllers.self, &desk);
-    const uint32_t moved = hal.seats.ops->arrange(hal.seats.self, may_move);
+    const uint32_t moved = hal.slots.ops->arrange(hal.slots.self, may_move);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (moved & (1u << i)) {
             hal.poi[i].ops->open(hal.poi[i].self);
@@ -93,9 +93,9 @@ static void move_mouse(void)
     assert_int_equal(SDL_PushEvent(&event), 1);
 }
 
-static int sits(uint32_t seat, const char *who)
+static int slot_has(uint32_t slot, const char *who)
 {
-    const char *line = hal.poi[seat].ops->describe(hal.poi[seat].self);
+    const char *line = hal.poi[slot].ops->describe(hal.poi[slot].self);
     return strncmp(line, who, strlen(who)) == 0;
 }
 
@@ -104,7 +104,7 @@ static void test_the_mouse_has_the_first_slot_if_there_is_no_other_controller(vo
     (void)state;
     struct poi_sample sample;
     assert_int_equal(frame(1), 1u);
-    assert_true(sits(0, "mouse"));
+    assert_true(slot_has(0, "mouse"));
     assert_string_equal(hal.poi[1].ops->describe(hal.poi[1].self), "");
     assert_int_equal(hal.poi[0].ops->poll(hal.poi[0].self, &sample, 1), 1);
     assert_int_equal(hal.poi[1].ops->open(hal.poi[1].self), HAL_ERR_ABSENT);
@@ -118,9 +118,9 @@ static void test_a_new_gamepad_gets_the_first_slot_after_the_game(void **state)
     for (uint32_t i = 0; i < 5; i++) {
         assert_int_equal(frame(0), 0u);
     }
-    assert_true(sits(0, "mouse"));
+    assert_true(slot_has(0, "mouse"));
     assert_int_equal(frame(1), 1u);
-    assert_true(sits(0, "pad"));
+    assert_true(slot_has(0, "pad"));
 }
 
 /* The mouse is always present, so it gets a slot only when it moves. */
@@ -133,8 +133,8 @@ static void test_a_moved_mouse_gets_the_second_slot_beside_a_gamepad(void **stat
     move_mouse();
     frame(1);
     frame(1);
-    assert_true(sits(0, "pad"));
-    assert_true(sits(1, "mouse"));
+    assert_true(slot_has(0, "pad"));
+    assert_true(slot_has(1, "mouse"));
 }
 
 /* If a gamepad is unplugged during a round, its slot stays reserved. When the gamepad is plugged in
@@ -146,7 +146,7 @@ static void test_an_unplugged_gamepad_keeps_its_slot_until_the_game_ends(void **
     struct poi_sample sample;
     plug_pad();
     frame(1);
-    assert_true(sits(0, "pad"));
+    assert_true(slot_has(0, "pad"));
     assert_int_equal(SDL_JoystickDetachVirtual(0), 0);
     assert_int_equal(frame(0), 0u);
     assert_int_equal(hal.poi[0].ops->poll(hal.poi[0].self, &sample, 1), HAL_ERR_GONE);
@@ -156,7 +156,7 @@ static void test_an_unplugged_gamepad_keeps_its_slot_until_the_game_ends(void **
     assert_int_equal(SDL_JoystickDetachVirtual(0), 0);
     assert_int_equal(frame(0), 0u);
     assert_int_equal(frame(1), 1u);
-    assert_true(sits(0, "mouse"));
+    assert_true(slot_has(0, "mouse"));
 }
 
 static void test_the_mouse_option_disables_gamepads(void **state)
@@ -165,7 +165,7 @@ static void test_the_mouse_option_disables_gamepads(void **state)
     plug_pad();
     frame(1);
     frame(1);
-    assert_true(sits(0, "mouse"));
+    assert_true(slot_has(0, "mouse"));
     assert_string_equal(hal.poi[1].ops->describe(hal.poi[1].self), "");
 }
 
@@ -173,12 +173,12 @@ static void test_the_gamepad_option_waits_for_a_gamepad_and_reports_it(void **st
 {
     (void)state;
     frame(1);
-    assert_true(sits(0, "no pad yet"));
+    assert_true(slot_has(0, "no pad yet"));
     assert_int_equal(hal.poi[0].ops->open(hal.poi[0].self), HAL_ERR_ABSENT);
     assert_int_equal(SDL_EventState(SDL_MOUSEMOTION, SDL_QUERY), SDL_IGNORE);
     plug_pad();
     assert_int_equal(frame(1), 1u);
-    assert_true(sits(0, "pad"));
+    assert_true(slot_has(0, "pad"));
 }
 
 static void test_gamepad_buttons_work_whatever_has_the_first_slot(void **state)

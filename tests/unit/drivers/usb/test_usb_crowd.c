@@ -40,10 +40,10 @@ static int tear_down(void **state)
     return 0;
 }
 
-static int sits(uint32_t seat, const char *serial)
+static int slot_has(uint32_t slot, const char *serial)
 {
     for (uint32_t i = 0; i < 25000; i++) {
-        struct hid_port *const port = usb_transport_port(fixture.thread, seat);
+        struct hid_port *const port = usb_transport_port(fixture.thread, slot);
         if (hid_port_open(port, &face) == HAL_OK && !strcmp(face.identity.serial, serial)) {
             return 1;
         }
@@ -58,7 +58,7 @@ static void test_four_devices_get_slots_and_a_fifth_waits(void **state)
     uint32_t device[5];
     for (uint8_t i = 0; i < 5; i++) {
         device[i] = usb_sim_plug(&kinds[i], (uint8_t)(i + 1u));
-        assert_true(i == 4 || sits(i, serials[i]));
+        assert_true(i == 4 || slot_has(i, serials[i]));
     }
     assert_true(fixture_wait_state(&fixture, 4, CONTROLLER_FREE));
     assert_int_equal(usb_sim_seen(device[4]).opens, 0);
@@ -70,10 +70,10 @@ static void test_four_devices_get_slots_and_a_fifth_waits(void **state)
     usleep(100000);
     assert_int_equal(fixture_row(&fixture, 4).state, CONTROLLER_FREE);
     usb_sim_plug(&kinds[2], 9);
-    assert_true(sits(2, "S2"));
+    assert_true(slot_has(2, "S2"));
     /* The operator releases the device of slot 1. A poi that waits for a slot must get slot 1. */
     assert_int_equal(device_list.ops->choose(device_list.self, 1, false), HAL_OK);
-    assert_true(sits(1, "S4"));
+    assert_true(slot_has(1, "S4"));
     assert_true(fixture_wait_state(&fixture, 4, CONTROLLER_ACTIVE));
     assert_int_equal(fixture_row(&fixture, 4).slot, 1);
 }
@@ -85,7 +85,7 @@ static void test_four_devices_return_to_their_slots_in_any_order(void **state)
     uint32_t device[4];
     for (uint8_t i = 0; i < 4; i++) {
         device[i] = usb_sim_plug(&kinds[i], (uint8_t)(i + 1u));
-        assert_true(sits(i, serials[i]));
+        assert_true(slot_has(i, serials[i]));
     }
     for (uint32_t i = 0; i < 4; i++) {
         /* All devices of the hub are unplugged together, as when the hub itself is unplugged. */
@@ -95,7 +95,7 @@ static void test_four_devices_return_to_their_slots_in_any_order(void **state)
         usb_sim_plug(&kinds[order[i]], (uint8_t)(i + 5u));
     }
     for (uint32_t i = 0; i < 4; i++) {
-        assert_true(sits(i, serials[i]));
+        assert_true(slot_has(i, serials[i]));
         assert_true(fixture_wait_state(&fixture, i, CONTROLLER_ACTIVE));
     }
 }
@@ -128,7 +128,7 @@ static void test_with_more_than_eight_devices_every_opened_one_has_a_row(void **
     assert_true(fixture_wait_state(&fixture, 3, CONTROLLER_UNSUPPORTED));
     for (uint8_t i = 0; i < 4; i++) {
         usb_sim_plug(&kinds[i], (uint8_t)(i + 1u));
-        assert_true(sits(i, serials[i]));
+        assert_true(slot_has(i, serials[i]));
     }
     uint32_t playing = 0;
     for (uint32_t tries = 0; tries < 5000 && playing < 4; tries++) {
@@ -150,7 +150,7 @@ static void test_a_poi_is_opened_beside_more_keyboards_than_the_list_holds(void 
     assert_true(fixture_wait_state(&fixture, 3, CONTROLLER_UNSUPPORTED));
     for (uint8_t i = 0; i < 4; i++) {
         usb_sim_plug(&kinds[i], (uint8_t)(i + 1u));
-        assert_true(sits(i, serials[i]));
+        assert_true(slot_has(i, serials[i]));
     }
 }
 
@@ -195,7 +195,7 @@ static void test_all_devices_have_slots_after_a_hot_plug_storm(void **state)
     /* Plugs in a poi for each player slot, so that every slot is reserved for a certain poi. */
     for (uint8_t i = 0; i < POI_MAX; i++) {
         device[i] = usb_sim_plug(&kinds[i], (uint8_t)(i + 1u));
-        assert_true(sits(i, serials[i]));
+        assert_true(slot_has(i, serials[i]));
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         usb_sim_unplug(device[i], USB_SIM_GONE);
@@ -222,8 +222,8 @@ static void test_all_devices_have_slots_after_a_hot_plug_storm(void **state)
     for (uint8_t i = 0; i < 4; i++) {
         usb_sim_plug(&kinds[i], (uint8_t)(i + 1u));
     }
-    for (uint32_t seat = 0; seat < POI_MAX; seat++) {
-        assert_true(sits(seat, serials[seat]));
+    for (uint32_t slot = 0; slot < POI_MAX; slot++) {
+        assert_true(slot_has(slot, serials[slot]));
     }
 }
 

@@ -103,7 +103,7 @@ static void test_a_device_returns_after_an_unplug_at_each_of_1000_reports(void *
         assert_int_equal(atomic_load(&usb_transport_port(fixture.thread, 0)->lost), 0);
     }
     qsort(back_ns, INDEX_COUNT, sizeof back_ns[0], compare);
-    printf("# plugged in to seated: p50 %.2f ms, p99 %.2f ms, at most %.2f ms\n",
+    printf("# plugged in to assigned: p50 %.2f ms, p99 %.2f ms, at most %.2f ms\n",
            (double)back_ns[INDEX_COUNT / 2u] / 1e6, (double)back_ns[INDEX_COUNT * 99u / 100u] / 1e6,
            (double)back_ns[INDEX_COUNT - 1u] / 1e6);
     assert_in_range(back_ns[INDEX_COUNT / 2u], 0, 100000000ull);

@@ -125,7 +125,7 @@ static int set_up(void **state)
     static const struct kiosk_config config = {
         .core = { .seed = 5, .fish_count = 8, .round_s = 10, .credit_coins = 2 }
     };
-    struct hid_port_sim *const seats[POI_MAX] = { &rig.wire.port };
+    struct hid_port_sim *const slots[POI_MAX] = { &rig.wire.port };
     struct poi_hid *const pois[POI_MAX] = { &rig.poi };
     (void)state;
     memset(&rig, 0, sizeof rig);
@@ -136,7 +136,7 @@ static int set_up(void **state)
     snprintf(rig.wire.face.identity.name, HID_TEXT_SIZE, "Flight Stick");
     hid_port_sim_plug(&rig.wire.port, NULL); /* Takes the controller out of player slot 0. The next
                                                 lines connect it without a slot. */
-    hid_device_list_sim_init(&rig.device_list, seats);
+    hid_device_list_sim_init(&rig.device_list, slots);
     hid_device_list_sim_plug(&rig.device_list, ROW, &rig.wire.face);
     hid_mapping_store_open(&rig.book, NULL, NULL, NULL);
     rig.hal = null_hal(NULL);

@@ -23,31 +23,31 @@ static struct {
     struct hal hal;
     struct kiosk kiosk;
     struct pointer_report report;
-} seat;
+} rig;
 
 static void frame(uint64_t frame_ns)
 {
-    seat.clock.now_ns += frame_ns;
-    seat.report.time_ns = seat.clock.now_ns;
-    seat.poi.reports = &seat.report;
-    seat.poi.feed.count = 1;
-    seat.poi.feed.next = 0;
-    kiosk_frame(&seat.kiosk, &seat.hal);
+    rig.clock.now_ns += frame_ns;
+    rig.report.time_ns = rig.clock.now_ns;
+    rig.poi.reports = &rig.report;
+    rig.poi.feed.count = 1;
+    rig.poi.feed.next = 0;
+    kiosk_frame(&rig.kiosk, &rig.hal);
 }
 
 /* Starts a kiosk in attract mode with the pointer a little below the middle of the window. */
 static void start_attract(void)
 {
     const struct kiosk_config config = { .core = { .seed = 5, .modes = 1u << MODE_CHAMPIONSHIP } };
-    memset(&seat, 0, sizeof seat);
-    seat.report = (struct pointer_report){
+    memset(&rig, 0, sizeof rig);
+    rig.report = (struct pointer_report){
         .x_px = 640.0f, .y_px = 400.0f, .width_px = 1280, .height_px = 720
     };
-    seat.hal = null_hal(NULL);
-    seat.hal.clock = sim_clock_device(&seat.clock);
-    pointer_sim_init(&seat.poi, seat.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
-    seat.hal.poi[0] = pointer_sim_devices(&seat.poi).poi;
-    assert_int_equal(kiosk_init(&seat.kiosk, &seat.hal, &config), CORE_OK);
+    rig.hal = null_hal(NULL);
+    rig.hal.clock = sim_clock_device(&rig.clock);
+    pointer_sim_init(&rig.poi, rig.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    rig.hal.poi[0] = pointer_sim_devices(&rig.poi).poi;
+    assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
     for (uint32_t i = 0; i < 10; i++) {
         frame(16666667ull);
     }
@@ -55,19 +55,19 @@ static void start_attract(void)
 
 static vec3 hand_m(void)
 {
-    return seat.kiosk.core.game.control[0].validation.newest.position_m;
+    return rig.kiosk.core.game.control[0].validation.newest.position_m;
 }
 
 static void lie_still(uint64_t frame_ns)
 {
     start_attract();
-    seat.kiosk.input.pressed = INPUT_START;
+    rig.kiosk.input.pressed = INPUT_START;
     frame(frame_ns);
     const vec3 before_m = hand_m();
-    assert_int_equal(seat.kiosk.core.game.phase, PHASE_READY);
-    while (seat.kiosk.core.game.phase == PHASE_READY) {
+    assert_int_equal(rig.kiosk.core.game.phase, PHASE_READY);
+    while (rig.kiosk.core.game.phase == PHASE_READY) {
         frame(frame_ns);
-        assert_int_equal(seat.kiosk.core.game.player[0].fouls, 0);
+        assert_int_equal(rig.kiosk.core.game.player[0].fouls, 0);
     }
     /* The new view changes the position on the water as much as a movement of the mouse would. */
     assert_true(v3_length(v3_sub(hand_m(), before_m)) > PLAYER_STIR_M);
@@ -90,15 +90,15 @@ static void test_a_mouse_moved_and_held_over_fish_commits_a_foul(void **state)
 {
     (void)state;
     start_attract();
-    seat.kiosk.input.pressed = INPUT_START;
+    rig.kiosk.input.pressed = INPUT_START;
     for (uint32_t i = 0; i < 90; i++) {
         frame(16666667ull);
     }
-    seat.report.x_px = 700.0f;
-    while (seat.kiosk.core.game.phase != PHASE_ROUND) {
+    rig.report.x_px = 700.0f;
+    while (rig.kiosk.core.game.phase != PHASE_ROUND) {
         frame(16666667ull);
     }
-    assert_int_equal(seat.kiosk.core.game.player[0].fouls, 1);
+    assert_int_equal(rig.kiosk.core.game.player[0].fouls, 1);
 }
 
 int main(void)

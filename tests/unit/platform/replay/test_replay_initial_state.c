@@ -36,7 +36,7 @@ static void fill_ranking(struct ranking *ranking)
     for (uint32_t board = 0; board < RANK_BOARD_COUNT; board++) {
         for (uint32_t i = 0; i < RANK_PERIOD_COUNT * RANK_ROWS; i++) {
             struct rank_row *row = &ranking->row[board][i / RANK_ROWS][i % RANK_ROWS];
-            row->seat %= POI_MAX;
+            row->slot %= POI_MAX;
             row->round_id %= LEDGER_ID_MAX;
             for (uint32_t k = 0; k < LEDGER_NAME_SIZE; k++) {
                 row->name[k] |= (char)0x80; /* The highest bit is set, so no character of the name
@@ -153,7 +153,7 @@ static void test_an_invalid_initial_state_is_rejected(void **state)
 {
     (void)state;
     fill();
-    config.persistent.ranking.row[RANK_BOARD_COUNT - 1u][2][9].seat = POI_MAX - 1u;
+    config.persistent.ranking.row[RANK_BOARD_COUNT - 1u][2][9].slot = POI_MAX - 1u;
     size_t size = replay_initial_state_encode(&config, bytes);
     assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 1);
     /* Each byte 0xff encodes 129 zero bytes, so the encoded state is much too long. */

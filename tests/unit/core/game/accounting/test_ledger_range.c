@@ -414,7 +414,7 @@ static void test_the_core_and_the_replay_reject_a_state_that_is_out_of_range(voi
     bad[1].persistent.ledger.boots = UINT32_MAX;
     bad[2].persistent.ledger.balance.open = 9;
     bad[3].persistent.ledger.balance.paid = UINT32_MAX;
-    bad[4].persistent.ranking.row[0][0][0].seat = POI_MAX;
+    bad[4].persistent.ranking.row[0][0][0].slot = POI_MAX;
     memset(bad[5].persistent.ranking.row[2][1][9].name, 'x', LEDGER_NAME_SIZE);
     bad[6].persistent.ranking.row[1][2][3].round_id = UINT32_MAX;
     bad[7].session.ledger.last_id = UINT32_MAX;

@@ -8,9 +8,9 @@
 static int setup_pages(void **state)
 {
     static const struct rank_row rows[] = {
-        { .caught = 12, .round_id = 40, .seat = 1, .name = "さくら" },
-        { .caught = 9, .round_id = 41, .seat = 0, .name = "" },
-        { .caught = 7, .round_id = 40, .seat = 0, .name = "たろう" },
+        { .caught = 12, .round_id = 40, .slot = 1, .name = "さくら" },
+        { .caught = 9, .round_id = 41, .slot = 0, .name = "" },
+        { .caught = 7, .round_id = 40, .slot = 0, .name = "たろう" },
     };
     setup(state);
     memset(&core.game.accounts.ranking, 0, sizeof core.game.accounts.ranking);

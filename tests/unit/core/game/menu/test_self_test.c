@@ -74,11 +74,11 @@ static void save(void)
     step();
 }
 
-static void wave(uint32_t seat)
+static void wave(uint32_t slot)
 {
     for (uint32_t i = 0; i < 8u; i++) {
         const vec3 at_m = v3(i & 1u ? 0.05f : 0.0f, i & 2u ? 0.12f : 0.07f, i & 4u ? 0.05f : 0.0f);
-        input.poi[seat] = (struct poi_input){ .link = POI_SOURCE_LIVE,
+        input.poi[slot] = (struct poi_input){ .link = POI_SOURCE_LIVE,
                                               .has_wrist = 1,
                                               .target.position_m = at_m };
         step();

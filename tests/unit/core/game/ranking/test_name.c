@@ -22,17 +22,17 @@ static int setup_names(void **state)
     return 0;
 }
 
-/* Plays a round of `seats` players until the result screen. Player i has caught `caught[i]`
+/* Plays a round of `slots` players until the result screen. Player i has caught `caught[i]`
  * fish. */
-static void play(uint32_t seats, const uint32_t *caught)
+static void play(uint32_t slots, const uint32_t *caught)
 {
-    for (uint32_t i = 0; i < seats; i++) {
+    for (uint32_t i = 0; i < slots; i++) {
         input.poi[i].link = POI_SOURCE_LIVE;
         input.poi[i].target.position_m = v3(0.05f, ABOVE_M, 0.02f + 0.1f * (float)i);
     }
     play_into_round();
     step();
-    for (uint32_t i = 0; i < seats; i++) {
+    for (uint32_t i = 0; i < slots; i++) {
         core.game.player[i].caught = caught[i];
     }
     steps(ROUND_S * CORE_TICK_HZ);
@@ -84,23 +84,23 @@ static void write_letters(const uint16_t *letters)
 /* Holds a player's poi over the middle of a key, `y_m` above the water. If the controller measures
  * angles (`has_wrist`), the position is mapped from the tank seen from above to the whole
  * screen. */
-static void lead(uint32_t seat, uint32_t key, float y_m)
+static void lead(uint32_t slot, uint32_t key, float y_m)
 {
     const struct layout_point canvas = pointer_layout_size(0);
     const struct layout_box box = name_box(0, core.game.name.alphabet, key);
     const float x = (box.x + 0.5f * box.width) / canvas.x - 0.5f;
     const float z = (box.y + 0.5f * box.height) / canvas.y - 0.5f;
-    input.poi[seat].has_wrist = 1;
-    input.poi[seat].target.position_m =
+    input.poi[slot].has_wrist = 1;
+    input.poi[slot].target.position_m =
         v3(x * core.world.tank.size_m.x, y_m, z * core.world.tank.size_m.z);
     step();
 }
 
-static void dip_at(uint32_t seat, uint32_t key)
+static void dip_at(uint32_t slot, uint32_t key)
 {
-    lead(seat, key, 0.04f);
-    lead(seat, key, 0.0f);
-    lead(seat, key, 0.04f);
+    lead(slot, key, 0.04f);
+    lead(slot, key, 0.0f);
+    lead(slot, key, 0.04f);
 }
 
 static const struct ledger_entry *newest_entry(void)
@@ -121,7 +121,7 @@ static void test_a_ranked_player_is_asked_after_the_result(void **state)
     play_alone(3);
     steps(GAME_RESULT_TICKS);
     assert_int_equal(core.game.phase, PHASE_NAME);
-    assert_int_equal(core.game.name.seat, 0);
+    assert_int_equal(core.game.name.slot, 0);
 }
 
 static void test_a_player_without_a_catch_is_not_asked(void **state)
@@ -175,10 +175,10 @@ static void test_players_are_asked_once_each_with_the_best_first(void **state)
     const uint32_t caught[3] = { 2, 7, 0 };
     play(3, caught);
     ask_for_name();
-    assert_int_equal(core.game.name.seat, 1);
+    assert_int_equal(core.game.name.slot, 1);
     press_key(NAME_DONE);
     assert_int_equal(core.game.phase, PHASE_NAME);
-    assert_int_equal(core.game.name.seat, 0);
+    assert_int_equal(core.game.name.slot, 0);
     steps(NAME_SEEN_TICKS);
     press_key(NAME_DONE);
     assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
@@ -239,7 +239,7 @@ static void test_a_poi_and_the_buttons_reach_every_cell_and_key(void **state)
             if (key < NAME_CELLS && name_letter(alphabet, key) == 0) {
                 continue;
             }
-            core.game.name.act_tick = core.game.name.seat_tick = core.game.tick - NAME_SEEN_TICKS;
+            core.game.name.act_tick = core.game.name.start_tick = core.game.tick - NAME_SEEN_TICKS;
             lead(0, key, 0.04f);
             assert_int_equal(core.game.name.key, key);
             press(INPUT_RIGHT);

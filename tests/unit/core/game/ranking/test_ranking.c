@@ -98,8 +98,8 @@ static void test_four_players_of_one_round_are_ranked_separately(void **state)
 {
     (void)state;
     struct ledger_entry entry = { .kind = LEDGER_ROUND, .id = 7, .round = { .players = 0xf } };
-    for (uint32_t seat = 0; seat < POI_MAX; seat++) {
-        entry.round.player[seat].caught = 10u + seat;
+    for (uint32_t slot = 0; slot < POI_MAX; slot++) {
+        entry.round.player[slot].caught = 10u + slot;
     }
     entry.round.players = 0xb; /* Bits 0, 1 and 3 are set, because player 2 did not take part until
                                   the end. */

@@ -367,9 +367,9 @@ static void test_an_edited_score_is_not_genuine(void **state)
     row->caught++;
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
     row->caught--;
-    row->seat = 1;
+    row->slot = 1;
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
-    row->seat = 0;
+    row->slot = 0;
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     memset(&core.game.accounts.ranking, 0, sizeof core.game.accounts.ranking);
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);

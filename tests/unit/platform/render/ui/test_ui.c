@@ -389,7 +389,7 @@ static void hang_board(uint8_t period, uint32_t rows, float shown_s, float left_
     for (uint32_t i = 0; i < rows; i++) {
         struct scene_row *row = &scene.leaderboard.row[i];
         row->caught = 9999;
-        row->seat = (uint8_t)(i % POI_MAX);
+        row->slot = (uint8_t)(i % POI_MAX);
         row->is_new = i % 2u == 0;
         row->is_sealed = i % 3u == 0;
         memcpy(row->name, "ゑゑゑゑゑゑゑゑゑゑ", 30);

@@ -297,13 +297,13 @@ static void test_only_changed_settings_are_stored(void **state)
     (void)state;
     struct persistent_state memory = { 0 };
     const struct ledger_entry volume = setting_entry(1, SET_VOLUME, 35);
-    const struct ledger_entry seat = setting_entry(2, SET_CALIBRATION_END - 1, -12345);
+    const struct ledger_entry slot = setting_entry(2, SET_CALIBRATION_END - 1, -12345);
     settings_reset(&memory.settings);
     /* The price comes from a configuration file instead of the ledger, so it must not change. */
     memory.settings.value[SET_PRICE] = 3;
     open_file();
     write_entry(&volume);
-    write_entry(&seat);
+    write_entry(&slot);
     reopen();
     ledger_content_load(&file.content, &memory);
     assert_int_equal(memory.settings.value[SET_VOLUME], 35);

@@ -1,4 +1,4 @@
-/* test_kiosk_seats.c -- Tests the assignment of controllers to player slots in the frame loop.
+/* test_kiosk_slots.c -- Tests the assignment of controllers to player slots in the frame loop.
  *
  * The assignment may change only at certain times, and a newly assigned controller must be opened
  * and used. Also tests the measured time from the arrival of a report to the tick that uses it. */
@@ -96,7 +96,7 @@ static const char *hand_describe(void *self)
 
 static int set_up(void **state)
 {
-    static const struct hal_seats_ops seats = { .arrange = arrange };
+    static const struct hal_slots_ops slots = { .arrange = arrange };
     static const struct hal_poi_ops hand = {
         .open = controller_open,
         .poll = controller_poll,
@@ -114,7 +114,7 @@ static int set_up(void **state)
     rig.hal.clock = sim_clock_device(&rig.clock);
     rig.buttons.clock = rig.hal.clock;
     rig.hal.buttons = sim_buttons_device(&rig.buttons);
-    rig.hal.seats.ops = &seats;
+    rig.hal.slots.ops = &slots;
     rig.hal.poi[0].ops = &hand;
     return kiosk_init(&rig.kiosk, &rig.hal, &config);
 }
