@@ -260,7 +260,7 @@ struct scene_credit {
 
 /* State of the score playback, which is drawn over every page
  * (platform/kiosk/recorder/score_playback.h). */
-enum scene_encore {
+enum scene_playback {
     ENCORE_OFF = 0,
     /* The replay is loaded, and is played fast until the round of the score begins. */
     ENCORE_SEEKS,
@@ -354,8 +354,8 @@ struct scene {
     struct scene_album album;
     struct scene_name name;
     struct scene_leaderboard leaderboard;
-    /* State of the score playback (enum scene_encore). The shell fills in this field. */
+    /* State of the score playback (enum scene_playback). The shell fills in this field. */
     uint8_t playback;
     /* Progress of the fast playback before the round of the score, [0, 1]. */
-    float encore_progress;
+    float playback_progress;
 };

@@ -77,8 +77,8 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     for (uint32_t i = 0; i < POI_MAX; i++) {
         open_slot(kiosk, hal, i);
     }
-    if (config->chapters) {
-        session_recorder_begin(config->chapters, &kiosk->core);
+    if (config->sessions) {
+        session_recorder_begin(config->sessions, &kiosk->core);
     }
     core_scene(&kiosk->core, &kiosk->scene);
     present_view(kiosk, hal);
@@ -226,8 +226,8 @@ static bool run_tick(struct kiosk *kiosk)
 {
     CORE_ASSERT(kiosk->output.sound_count <= OUTPUT_SOUND_MAX);
     const struct kiosk_tap *tap = &kiosk->config.tap;
-    if (kiosk->config.chapters) {
-        session_recorder_before(kiosk->config.chapters, &kiosk->input);
+    if (kiosk->config.sessions) {
+        session_recorder_before(kiosk->config.sessions, &kiosk->input);
     }
     if (tap->before) {
         tap->before(tap->self, &kiosk->input);
@@ -242,8 +242,8 @@ static bool run_tick(struct kiosk *kiosk)
     if (tap->tick) {
         tap->tick(tap->self, &kiosk->input, &kiosk->core);
     }
-    if (kiosk->config.chapters) {
-        session_recorder_tick(kiosk->config.chapters, &kiosk->input, &kiosk->core, &kiosk->output);
+    if (kiosk->config.sessions) {
+        session_recorder_tick(kiosk->config.sessions, &kiosk->input, &kiosk->core, &kiosk->output);
     }
     kiosk->input.pressed = 0; /* A button press is valid for one tick only. */
     memset(kiosk->input.coin_count, 0, sizeof kiosk->input.coin_count);
@@ -319,7 +319,7 @@ static void complete_scene(struct kiosk *kiosk, const struct hal *hal, uint32_t 
      * monitor. Never blocks. */
     struct system_health *machine = kiosk->config.machine;
     kiosk->machine.watch = hal->watchdog.ops->watches(hal->watchdog.self);
-    kiosk->machine.missed = kiosk->config.chapters ? kiosk->config.chapters->missed : 0u;
+    kiosk->machine.missed = kiosk->config.sessions ? kiosk->config.sessions->missed : 0u;
     if (machine) {
         if (kiosk->has_acknowledged) {
             system_health_acknowledge(machine);

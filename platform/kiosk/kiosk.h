@@ -37,7 +37,7 @@ struct kiosk_config {
     /* System health monitor. Must outlive the kiosk. Null means no monitor. */
     struct system_health *machine;
     /* Session recorder. Must outlive the kiosk. Null means no recording. */
-    struct session_recorder *chapters;
+    struct session_recorder *sessions;
     /* Score playback. Must outlive the kiosk. Null means no playback. */
     struct score_playback *playback;
     struct kiosk_tap tap; /* Callbacks of a recorder. Each callback may be null. */

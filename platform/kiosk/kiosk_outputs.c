@@ -117,8 +117,8 @@ void kiosk_send_results(struct kiosk *kiosk, const struct hal *hal)
             put_in_store(&kiosk->saving, storage, &kiosk->output, hal_now_ns(hal->clock));
     }
     /* The recording of a score is stored after the score is on disk. */
-    if (kiosk->config.chapters) {
-        kiosk->faults.storage += session_recorder_offer(kiosk->config.chapters, storage);
+    if (kiosk->config.sessions) {
+        kiosk->faults.storage += session_recorder_offer(kiosk->config.sessions, storage);
     }
     if (must_restart(kiosk, hal, is_replay)) {
         kiosk->end = KIOSK_RESTART;

@@ -144,7 +144,7 @@ enum exit_code run_common_begin(struct run_common *session, struct kiosk_config 
     config->notes = &session->notes;
     config->machine = &session->machine;
     if (!replay[0]) {
-        config->chapters = &session->chapters;
+        config->sessions = &session->sessions;
         config->playback = &session->playback;
         load_species(session, &config->core.book);
     }

@@ -23,7 +23,7 @@ struct run_common {
     struct recorder recorder;
     struct replayer replayer;
     struct score_playback playback;   /* Playback of a score's replay on the screen. */
-    struct session_recorder chapters; /* Session recorder for the replays of scores and panics. */
+    struct session_recorder sessions; /* Session recorder for the replays of scores and panics. */
     /* Panic handler, which after a panic writes the replay and increases the count of panics. */
     struct evidence evidence;
     struct library library; /* Installed species files, read at program start. */

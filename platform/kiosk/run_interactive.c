@@ -98,7 +98,7 @@ bool run_interactive_open(struct run_common *session)
     /* The data folder must exist before panic_evidence_open(). If the folder cannot be created, the
      * store reports the reason later. */
     file_make_folder(options->data);
-    panic_evidence_open(&session->evidence, options->data, &session->chapters,
+    panic_evidence_open(&session->evidence, options->data, &session->sessions,
                         &session->kiosk.core);
     /* Keys act as buttons and coins by default on a desktop but not in a service, because a
      * stranger may plug a keyboard into a cabinet. */

@@ -89,7 +89,7 @@ _Static_assert(offsetof(struct settings_edit, turn_tick) == sizeof(struct settin
 
 /* Serializes the session. Ledger, credit and settings are copied as they are in memory, because
  * they contain only integers and have the same layout on every supported board. */
-static void walk_chapter(struct replay_serializer *walk, struct game_session *session)
+static void walk_session(struct replay_serializer *walk, struct game_session *session)
 {
     const bool is_7 = walk->version == 7u;
     replay_serialize_bytes(walk, session, offsetof(struct game_session, ledger));
@@ -127,7 +127,7 @@ static void walk_config(struct replay_serializer *walk, struct core_config *conf
 {
     walk_fields(walk, &core_config_fields, config);
     walk_memory(walk, &config->persistent);
-    walk_chapter(walk, &config->session);
+    walk_session(walk, &config->session);
     walk_rules(walk, config);
 }
 

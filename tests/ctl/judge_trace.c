@@ -135,7 +135,7 @@ static void replay_verifier_tick(struct verdict *verdict, int count)
     }
 }
 
-static void judge_bounds(struct verdict *verdict, const struct corners *c, const double size[3],
+static void check_bounds(struct verdict *verdict, const struct corners *c, const double size[3],
                          int surfacing)
 {
     for (int k = 0; k < 8 && c->free; k++) {
@@ -178,7 +178,7 @@ int main(int argc, char **argv)
         last = tick;
         fish[count] = corners_of(v);
         fish[count].free = strcmp(gait, "held") != 0;
-        judge_bounds(&verdict, &fish[count], size, strcmp(gait, "surface") == 0);
+        check_bounds(&verdict, &fish[count], size, strcmp(gait, "surface") == 0);
         most = ++count > most ? count : most;
         verdict.rows++;
     }

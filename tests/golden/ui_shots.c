@@ -196,7 +196,7 @@ static void fill_cabinet(struct scene *scene, const char *name)
     }
 }
 
-static void fill_encore(struct scene *scene, const char *name)
+static void fill_playback(struct scene *scene, const char *name)
 {
     static const char *const names[ENCORE_COUNT] = {
         "", "seeks", "encore", "genuine", "doubted", ""
@@ -205,7 +205,7 @@ static void fill_encore(struct scene *scene, const char *name)
         scene->playback = strcmp(names[i], name) == 0 ? i : scene->playback;
     }
     scene->asks_quit = strcmp(name, "quit") == 0;
-    scene->encore_progress = 0.4f;
+    scene->playback_progress = 0.4f;
     scene->veil = strcmp(name, "dusk") == 0 ? 0.7f : 0.0f;
 }
 
@@ -264,7 +264,7 @@ static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t lan
     scene->grade = scene->offer[shot->mode].grade;
     scene->paused = shot->paused;
     fill_cabinet(scene, shot->name);
-    fill_encore(scene, shot->name);
+    fill_playback(scene, shot->name);
     fill_tear(scene, shot->name);
     scene->player[0].has_present = strcmp(shot->name, "present") == 0;
     scene->call = shot->call;

@@ -104,7 +104,7 @@ static uint32_t play(const struct hal *hal, uint64_t long_ns)
     return frames;
 }
 
-static int judge(uint32_t frames, uint64_t seconds)
+static int check_latency(uint32_t frames, uint64_t seconds)
 {
     const uint64_t median_ns = frame_timing_quantile_ns(&waits, 0.5);
     printf("median %.1f ms, p99 %.1f ms, longest %.1f ms; "
@@ -128,7 +128,7 @@ int main(int argc, char **argv)
     hal.clock = clock_device();
     struct usb_event_thread *usb = start(&hal, &key);
     if (is_found(&hal)) {
-        passed = judge(play(&hal, seconds * 1000000000u), seconds);
+        passed = check_latency(play(&hal, seconds * 1000000000u), seconds);
     } else {
         fprintf(stderr, "lag: no poi %s that plays\n", argv[1]);
     }

@@ -121,7 +121,7 @@ void menu_calibrate_tick(const struct menu_scope *scope, const struct world *wor
 /* Runs the checks while the self-test page of the menu is open. Call once per tick. */
 void self_test_tick(const struct menu_scope *scope, const struct input *input);
 
-/* Writes the results of the automatic checks to `out`, for self_test_judge(). */
+/* Writes the results of the automatic checks to `out`, for self_test_result(). */
 void self_test_show(const struct game *game, const struct core_config *config,
                     struct scene_self_test *out);
 
@@ -133,7 +133,7 @@ bool self_test_shows(const struct game *game);
  * (enum self_check) to `state`. Returns the check to display next, or SELF_CHECKS if the kiosk is
  * ready. Checks are displayed in the following order: checks that the operator must perform, bad
  * checks, checks that need attention, checks without a result. */
-uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS]);
+uint32_t self_test_result(const struct scene *scene, uint8_t state[SELF_CHECKS]);
 
 /* Returns the number of checks whose state is not SELF_GOOD. */
 uint32_t self_test_left(const uint8_t state[SELF_CHECKS]);

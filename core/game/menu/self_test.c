@@ -197,7 +197,7 @@ static void evaluate_parts(const struct scene *scene, uint8_t state[SELF_CHECKS]
     }
 }
 
-uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS])
+uint32_t self_test_result(const struct scene *scene, uint8_t state[SELF_CHECKS])
 {
     static const uint8_t order[] = { SELF_ASKS, SELF_BAD, SELF_LOOK, SELF_WAITS };
     const struct scene_self_test *self = &scene->menu.self;

@@ -33,7 +33,7 @@ struct scores_request {
     const char *out;   /* Path of the output file for the replay, or null. */
 };
 
-static struct replay_verifier judge;
+static struct replay_verifier verifier;
 static uint8_t bytes[SESSION_RECORDER_SIZE];
 
 /* ---- Subcommand verify ----------------------------------------------------------------------- */
@@ -57,21 +57,22 @@ static struct finding look_into(struct ledger_file *file, uint32_t round_id)
     if (!found.has_replay) {
         return found;
     }
-    if (replay_verifier_begin(&judge, bytes, found.size) == 0) {
-        while (replay_verifier_tick(&judge)) {
+    if (replay_verifier_begin(&verifier, bytes, found.size) == 0) {
+        while (replay_verifier_tick(&verifier)) {
         }
-        found.play_s = (double)judge.replayer.totals.ticks / CORE_TICK_HZ;
+        found.play_s = (double)verifier.replayer.totals.ticks / CORE_TICK_HZ;
     }
     ledger_file_round(file, round_id, &kept);
-    found.verdict = replay_verifier_result(&judge, &file->content.memory.ranking, round_id, &kept);
+    found.verdict =
+        replay_verifier_result(&verifier, &file->content.memory.ranking, round_id, &kept);
     found.took_s = 1e-9 * (double)(ctl_now_ns() - begin_ns);
     return found;
 }
 
 static void finding_text(const struct finding *found)
 {
-    const struct replay_problem *problem = &judge.replayer.reader.problem;
-    const struct core_status status = core_status(&judge.core);
+    const struct replay_problem *problem = &verifier.replayer.reader.problem;
+    const struct core_status status = core_status(&verifier.core);
     if (!found->has_replay) {
         printf("round %u: no replay\n", found->round_id);
     } else if (found->verdict == REPLAY_VERDICT_GENUINE) {
@@ -84,9 +85,9 @@ static void finding_text(const struct finding *found)
     } else if (found->verdict == REPLAY_VERDICT_DAMAGED) {
         printf("round %u: damaged: byte %llu: %s\n", found->round_id,
                (unsigned long long)problem->offset, problem->text);
-    } else if (judge.replayer.difference.found) {
+    } else if (verifier.replayer.difference.found) {
         printf("round %u: not genuine: another play from tick %u on\n", found->round_id,
-               judge.replayer.difference.tick);
+               verifier.replayer.difference.tick);
     } else {
         printf("round %u: not genuine: its replay ends with another score\n", found->round_id);
     }

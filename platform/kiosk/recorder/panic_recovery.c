@@ -112,12 +112,12 @@ static void hold_and_leave_out(struct evidence *evidence)
 }
 
 void panic_evidence_open(struct evidence *evidence, const char *data,
-                         struct session_recorder *chapters, const struct core *core)
+                         struct session_recorder *sessions, const struct core *core)
 {
     const int folder = data && data[0] ? open(data, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
     *evidence = (struct evidence){ .folder = folder + 1,
                                    .data = data,
-                                   .chapters = chapters,
+                                   .sessions = sessions,
                                    .core = core,
                                    .thread = gettid(),
                                    .boot = panics_boot(),
@@ -146,7 +146,7 @@ void panic_evidence_note_frame(struct evidence *evidence)
  * negative errno; -ENODATA means that no session was recorded. */
 static int write_replay(const struct evidence *evidence, const char *name, bool is_sound)
 {
-    if (!evidence->chapters || !session_recorder_has_begun(evidence->chapters)) {
+    if (!evidence->sessions || !session_recorder_has_begun(evidence->sessions)) {
         return -ENODATA;
     }
     const int folder = evidence->folder - 1;
@@ -158,7 +158,7 @@ static int write_replay(const struct evidence *evidence, const char *name, bool 
     if (file < 0) {
         return -errno;
     }
-    int error = session_recorder_dump(evidence->chapters, evidence->core, is_sound, file);
+    int error = session_recorder_dump(evidence->sessions, evidence->core, is_sound, file);
     if (!error && fsync(file) != 0) {
         error = -errno;
     }
@@ -199,7 +199,7 @@ bool panic_evidence_write(struct evidence *evidence, const char *reason)
      * thread. */
     const bool is_own = gettid() == (evidence->thread != 0 ? evidence->thread : getpid());
     const bool is_sound =
-        evidence->chapters ? session_recorder_freeze(evidence->chapters, is_own) : is_own;
+        evidence->sessions ? session_recorder_freeze(evidence->sessions, is_own) : is_own;
     struct panics *panics = &evidence->panics;
     char name[NAME_SIZE] = "";
     int error = -ENODATA;

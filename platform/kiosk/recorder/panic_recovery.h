@@ -25,7 +25,7 @@ struct evidence {
     int folder;
     const char *data; /* Path of the data folder, for messages. */
     /* Session recorder. Null means that no session is recorded. */
-    struct session_recorder *chapters;
+    struct session_recorder *sessions;
     const struct core *core;
     pid_t thread; /* Id of the thread that runs the core's ticks. */
     uint64_t boot;
@@ -49,7 +49,7 @@ struct evidence {
  * process has run for ten minutes, a thread clears the count of panics. Without a data folder,
  * panics are reported but not counted. */
 void panic_evidence_open(struct evidence *evidence, const char *data,
-                         struct session_recorder *chapters, const struct core *core);
+                         struct session_recorder *sessions, const struct core *core);
 
 /* Records that a frame was shown. Call after the first frame. */
 void panic_evidence_note_frame(struct evidence *evidence);

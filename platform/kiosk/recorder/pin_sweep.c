@@ -36,7 +36,7 @@ static int settle(struct pin_sweep *sweep, struct ledger_file *file, size_t size
  * start if the core refused to run, because the replay may then be valid. */
 static int give_up(struct pin_sweep *sweep, struct ledger_file *file)
 {
-    if (sweep->judge.is_refused) {
+    if (sweep->verifier.is_refused) {
         sweep->left++;
         sweep->stage = PIN_SWEEP_SEEK;
         return SQLITE_OK;
@@ -62,8 +62,8 @@ static int seek(struct pin_sweep *sweep, struct ledger_file *file)
         return SQLITE_OK;
     }
     const size_t size = is_cut ? sizeof sweep->replay : sweep->size;
-    const bool is_open = replay_verifier_open(&sweep->judge, sweep->replay, size) == 0;
-    const struct replay_reader *reader = &sweep->judge.replayer.reader;
+    const bool is_open = replay_verifier_open(&sweep->verifier, sweep->replay, size) == 0;
+    const struct replay_reader *reader = &sweep->verifier.replayer.reader;
     if (reader->header.version > REPLAY_VERSION || !session_recorder_may_contain_pin(reader)) {
         return SQLITE_OK;
     }
@@ -80,14 +80,14 @@ static int seek(struct pin_sweep *sweep, struct ledger_file *file)
  * verifier has already accepted this configuration. */
 static int begin_recording(struct pin_sweep *sweep)
 {
-    struct core_config *config = &sweep->judge.replayer.reader.header.config;
+    struct core_config *config = &sweep->verifier.replayer.reader.header.config;
     session_recorder_withhold_pin(config);
     config->lanes = cpu_lanes();
     sweep->output = (struct output){ 0 };
     sweep->totals = (struct replay_totals){ 0 };
     sweep->tally = (struct recorder_tally){ 0 };
     const enum core_error error = core_init(&sweep->core, config);
-    sweep->judge.is_refused = error == CORE_ERR_FLOAT;
+    sweep->verifier.is_refused = error == CORE_ERR_FLOAT;
     return error != CORE_OK || replay_create_in(&sweep->writer, sweep->made, sizeof sweep->made,
                                                 config, core_hash(&sweep->core)) != 0;
 }
@@ -95,7 +95,7 @@ static int begin_recording(struct pin_sweep *sweep)
 /* Parses one second of the recording. Starts the simulation after the last second. */
 static int read_on(struct pin_sweep *sweep, struct ledger_file *file)
 {
-    const int more = replay_verifier_read(&sweep->judge);
+    const int more = replay_verifier_read(&sweep->verifier);
     if (more < 0 || (more == 0 && !sweep->is_check && begin_recording(sweep) != 0)) {
         return give_up(sweep, file);
     }
@@ -108,20 +108,20 @@ static int read_on(struct pin_sweep *sweep, struct ledger_file *file)
  * result. */
 static int end_play(struct pin_sweep *sweep, struct ledger_file *file)
 {
-    struct replay_verifier *judge = &sweep->judge;
-    const struct replayer *replayer = &judge->replayer;
-    const enum replay_verdict verdict =
-        replay_verifier_result(judge, &file->content.memory.ranking, sweep->round_id, &sweep->kept);
-    if (judge->is_refused || replayer->damaged || replayer->difference.found ||
-        replayer->totals.ticks != judge->said.ticks) {
+    struct replay_verifier *verifier = &sweep->verifier;
+    const struct replayer *replayer = &verifier->replayer;
+    const enum replay_verdict verdict = replay_verifier_result(
+        verifier, &file->content.memory.ranking, sweep->round_id, &sweep->kept);
+    if (verifier->is_refused || replayer->damaged || replayer->difference.found ||
+        replayer->totals.ticks != verifier->said.ticks) {
         return give_up(sweep, file);
     }
     if (sweep->is_check) {
-        return settle(sweep, file, verdict == sweep->verdict ? judge->size : 0);
+        return settle(sweep, file, verdict == sweep->verdict ? verifier->size : 0);
     }
     if (replay_finish(&sweep->writer, core_hash(&sweep->core)) != 0 ||
-        replay_verifier_open(judge, sweep->made, (size_t)sweep->writer.offset + REPLAY_END_SIZE) !=
-            0) {
+        replay_verifier_open(verifier, sweep->made,
+                             (size_t)sweep->writer.offset + REPLAY_END_SIZE) != 0) {
         return give_up(sweep, file);
     }
     sweep->verdict = verdict;
@@ -132,22 +132,23 @@ static int end_play(struct pin_sweep *sweep, struct ledger_file *file)
 
 static int play_on(struct pin_sweep *sweep, struct ledger_file *file)
 {
-    struct replay_verifier *judge = &sweep->judge;
-    if (!replay_verifier_tick(judge)) {
+    struct replay_verifier *verifier = &sweep->verifier;
+    if (!replay_verifier_tick(verifier)) {
         return end_play(sweep, file);
     }
     if (sweep->is_check) {
         return SQLITE_OK;
     }
-    if (core_status(&judge->core).takes_pin) {
+    if (core_status(&verifier->core).takes_pin) {
         return give_up(sweep, file);
     }
     sweep->output.sound_count = 0;
-    judge->is_refused = core_tick(&sweep->core, &judge->input, &sweep->output) != CORE_OK;
-    if (judge->is_refused) {
+    verifier->is_refused = core_tick(&sweep->core, &verifier->input, &sweep->output) != CORE_OK;
+    if (verifier->is_refused) {
         return give_up(sweep, file);
     }
-    recorder_add_tick(&sweep->writer, &sweep->totals, &sweep->tally, &judge->input, &sweep->core);
+    recorder_add_tick(&sweep->writer, &sweep->totals, &sweep->tally, &verifier->input,
+                      &sweep->core);
     return SQLITE_OK;
 }
 

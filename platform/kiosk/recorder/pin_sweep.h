@@ -46,7 +46,7 @@ struct pin_sweep {
      * the core refused to run. The next start tries again. */
     uint32_t left;
     enum replay_verdict verdict; /* Result of the stored recording's verification. */
-    struct replay_verifier judge;
+    struct replay_verifier verifier;
     /* Simulates the stored recording with the PIN withheld. The states and the inputs of this core
      * are the new recording. */
     struct core core;

@@ -50,7 +50,7 @@ bool score_playback_handle_input(struct score_playback *playback, uint32_t press
 static void conclude(struct score_playback *playback, const struct ranking *ranking)
 {
     const enum replay_verdict verdict =
-        replay_verifier_result(&playback->judge, ranking, playback->round_id, &playback->kept);
+        replay_verifier_result(&playback->verifier, ranking, playback->round_id, &playback->kept);
     playback->state = verdict == REPLAY_VERDICT_GENUINE     ? ENCORE_GENUINE
                       : verdict == REPLAY_VERDICT_UNCHECKED ? ENCORE_NONE
                                                             : ENCORE_OTHER;
@@ -79,7 +79,7 @@ static void fetch_score_replay(struct score_playback *playback, const struct hal
     }
     if (size <= 0) {
         playback->state = ENCORE_NONE;
-    } else if (replay_verifier_open(&playback->judge, playback->bytes, (size_t)size)) {
+    } else if (replay_verifier_open(&playback->verifier, playback->bytes, (size_t)size)) {
         conclude(playback, ranking);
     } else {
         playback->is_open = true;
@@ -98,13 +98,13 @@ static void seek(struct score_playback *playback, const struct hal_clock *stopwa
          i++) {
         bool is_over = false;
         if (!playback->has_play) {
-            const int more = replay_verifier_read(&playback->judge); /* Parses one second. */
+            const int more = replay_verifier_read(&playback->verifier); /* Parses one second. */
             playback->has_play = more == 0;
             is_over = more < 0;
-        } else if (replay_verifier_is_at_round(&playback->judge)) {
+        } else if (replay_verifier_is_at_round(&playback->verifier)) {
             playback->state = ENCORE_PLAYS;
         } else {
-            is_over = !replay_verifier_tick(&playback->judge);
+            is_over = !replay_verifier_tick(&playback->verifier);
         }
         if (is_over) {
             conclude(playback, ranking);
@@ -124,7 +124,7 @@ void score_playback_frame(struct score_playback *playback, const struct hal *hal
         seek(playback, stopwatch, ranking);
     } else if (playback->state == ENCORE_PLAYS) {
         for (uint32_t i = 0; i < tick_count && playback->state == ENCORE_PLAYS; i++) {
-            if (!replay_verifier_tick(&playback->judge)) {
+            if (!replay_verifier_tick(&playback->verifier)) {
                 conclude(playback, ranking);
             }
         }
@@ -139,25 +139,25 @@ void score_playback_frame(struct score_playback *playback, const struct hal *hal
 void score_playback_show(const struct score_playback *playback, struct scene *scene,
                          struct output *output)
 {
-    const struct replay_verifier *judge = &playback->judge;
+    const struct replay_verifier *verifier = &playback->verifier;
     scene->playback = playback->state;
-    scene->encore_progress = 0.0f;
+    scene->playback_progress = 0.0f;
     if (playback->state == ENCORE_OFF) {
         return;
     }
     output->sound_count = 0; /* The sounds of the kiosk's own game are dropped during a playback. */
     if (playback->state == ENCORE_SEEKS && playback->has_play) {
-        scene->encore_progress =
-            (float)judge->replayer.totals.ticks / (float)(judge->round_tick + 1u);
+        scene->playback_progress =
+            (float)verifier->replayer.totals.ticks / (float)(verifier->round_tick + 1u);
     }
     if (playback->state != ENCORE_SEEKS && playback->has_play) {
         const uint8_t language = scene->language;
-        core_scene(&judge->core, scene);
+        core_scene(&verifier->core, scene);
         scene->language = language; /* The playback is shown in the language of the operator's menu,
                                        because the operator watches the playback. */
     }
     if (playback->state == ENCORE_PLAYS) {
-        output->sound_count = judge->output.sound_count;
-        memcpy(output->sounds, judge->output.sounds, sizeof output->sounds);
+        output->sound_count = verifier->output.sound_count;
+        memcpy(output->sounds, verifier->output.sounds, sizeof output->sounds);
     }
 }

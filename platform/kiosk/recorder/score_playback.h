@@ -20,7 +20,7 @@
 #define SCORE_PLAYBACK_SEEK_TICKS 240u
 
 struct score_playback {
-    uint8_t state; /* State of the playback (enum scene_encore). */
+    uint8_t state; /* State of the playback (enum scene_playback). */
     bool is_asked; /* True while the store loads the replay. */
     bool is_open;  /* True if the verifier has opened the replay. */
     /* True if the verifier has parsed the whole replay, so that the scene can be drawn. */
@@ -30,7 +30,7 @@ struct score_playback {
     uint32_t end_ticks;
     float hand_y_m[POI_MAX];  /* Previous height of each poi in metres, to detect a dip. */
     struct ledger_entry kept; /* Stored ledger entry of the round. */
-    struct replay_verifier judge;
+    struct replay_verifier verifier;
     uint8_t bytes[SESSION_RECORDER_SIZE];
 };
 

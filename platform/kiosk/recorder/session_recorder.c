@@ -32,17 +32,17 @@ bool session_recorder_may_contain_pin(const struct replay_reader *reader)
                                   is_pin(config->session.settings_edit.told.value[SET_PIN])));
 }
 
-void session_recorder_begin(struct session_recorder *chapters, const struct core *core)
+void session_recorder_begin(struct session_recorder *sessions, const struct core *core)
 {
     CORE_ASSERT(core_is_fresh(core));
-    memset(&chapters->totals, 0, sizeof chapters->totals);
-    memset(&chapters->tally, 0, sizeof chapters->tally);
-    chapters->totals.hash = core_hash(core);
-    chapters->seen_id = core_status(core).entry_id;
-    chapters->start = core->config;
-    session_recorder_withhold_pin(&chapters->start);
-    replay_create_in(&chapters->writer, chapters->memory, sizeof chapters->memory, &chapters->start,
-                     chapters->totals.hash);
+    memset(&sessions->totals, 0, sizeof sessions->totals);
+    memset(&sessions->tally, 0, sizeof sessions->tally);
+    sessions->totals.hash = core_hash(core);
+    sessions->seen_id = core_status(core).entry_id;
+    sessions->start = core->config;
+    session_recorder_withhold_pin(&sessions->start);
+    replay_create_in(&sessions->writer, sessions->memory, sizeof sessions->memory, &sessions->start,
+                     sessions->totals.hash);
 }
 
 static bool is_ranked(const struct core *core, const struct ledger_entry *entry)
@@ -59,114 +59,114 @@ static bool is_ranked(const struct core *core, const struct ledger_entry *entry)
     return place < RANK_ROWS;
 }
 
-static void keep_round(struct session_recorder *chapters, uint32_t round_id,
+static void keep_round(struct session_recorder *sessions, uint32_t round_id,
                        const struct core *core)
 {
     CORE_ASSERT(round_id != 0);
     const bool has_ended_for_pin =
-        !replay_is_open(&chapters->writer) && chapters->writer.error == 0;
+        !replay_is_open(&sessions->writer) && sessions->writer.error == 0;
     if (has_ended_for_pin) {
         return;
     }
-    if (chapters->round_id != 0) {
-        chapters->missed++;
+    if (sessions->round_id != 0) {
+        sessions->missed++;
         return;
     }
-    chapters->replay_size =
-        replay_copy(&chapters->writer, core_hash(core), chapters->replay, sizeof chapters->replay);
-    chapters->round_id = chapters->replay_size > 0 ? round_id : 0;
-    chapters->missed += chapters->replay_size == 0;
+    sessions->replay_size =
+        replay_copy(&sessions->writer, core_hash(core), sessions->replay, sizeof sessions->replay);
+    sessions->round_id = sessions->replay_size > 0 ? round_id : 0;
+    sessions->missed += sessions->replay_size == 0;
 }
 
-void session_recorder_before(struct session_recorder *chapters, const struct input *input)
+void session_recorder_before(struct session_recorder *sessions, const struct input *input)
 {
-    atomic_store(&chapters->is_busy, true);
+    atomic_store(&sessions->is_busy, true);
     /* Block the thread that runs the ticks forever if another thread has panicked. */
-    while (atomic_load(&chapters->is_frozen)) {
-        atomic_store(&chapters->is_busy, false);
+    while (atomic_load(&sessions->is_frozen)) {
+        atomic_store(&sessions->is_busy, false);
         pause();
     }
-    chapters->begun = *input;
-    atomic_store(&chapters->is_in_tick, true);
+    sessions->begun = *input;
+    atomic_store(&sessions->is_in_tick, true);
 }
 
-void session_recorder_tick(struct session_recorder *chapters, const struct input *input,
+void session_recorder_tick(struct session_recorder *sessions, const struct input *input,
                            const struct core *core, const struct output *output)
 {
     const struct core_status status = core_status(core);
-    atomic_store(&chapters->is_in_tick, false);
+    atomic_store(&sessions->is_in_tick, false);
     if (core_is_fresh(core)) { /* The new session's initial configuration already includes the
                                   effect of the current tick. */
-        session_recorder_begin(chapters, core);
+        session_recorder_begin(sessions, core);
     } else {
-        recorder_add_tick(&chapters->writer, &chapters->totals, &chapters->tally, input, core);
-        if (status.takes_pin && replay_is_open(&chapters->writer)) {
-            replay_finish(&chapters->writer, core_hash(core));
+        recorder_add_tick(&sessions->writer, &sessions->totals, &sessions->tally, input, core);
+        if (status.takes_pin && replay_is_open(&sessions->writer)) {
+            replay_finish(&sessions->writer, core_hash(core));
         }
     }
-    while (chapters->seen_id != status.entry_id) {
-        const struct ledger_entry *entry = &output->entries[++chapters->seen_id % LEDGER_RING];
-        if (entry->id == chapters->seen_id && is_ranked(core, entry)) {
-            keep_round(chapters, entry->id, core);
+    while (sessions->seen_id != status.entry_id) {
+        const struct ledger_entry *entry = &output->entries[++sessions->seen_id % LEDGER_RING];
+        if (entry->id == sessions->seen_id && is_ranked(core, entry)) {
+            keep_round(sessions, entry->id, core);
         }
     }
-    atomic_store(&chapters->is_busy, false);
+    atomic_store(&sessions->is_busy, false);
 }
 
-bool session_recorder_freeze(struct session_recorder *chapters, bool is_own)
+bool session_recorder_freeze(struct session_recorder *sessions, bool is_own)
 {
     if (is_own) {
-        return !atomic_load(&chapters->is_busy) || atomic_load(&chapters->is_in_tick);
+        return !atomic_load(&sessions->is_busy) || atomic_load(&sessions->is_in_tick);
     }
-    atomic_store(&chapters->is_frozen, true);
-    for (int i = 0; i < SESSION_RECORDER_FREEZE_MS && atomic_load(&chapters->is_busy); i++) {
+    atomic_store(&sessions->is_frozen, true);
+    for (int i = 0; i < SESSION_RECORDER_FREEZE_MS && atomic_load(&sessions->is_busy); i++) {
         poll(NULL, 0, 1);
     }
-    return !atomic_load(&chapters->is_busy);
+    return !atomic_load(&sessions->is_busy);
 }
 
-bool session_recorder_has_begun(const struct session_recorder *chapters)
+bool session_recorder_has_begun(const struct session_recorder *sessions)
 {
-    return chapters->writer.offset > 0;
+    return sessions->writer.offset > 0;
 }
 
-int session_recorder_dump(struct session_recorder *chapters, const struct core *core, bool is_sound,
+int session_recorder_dump(struct session_recorder *sessions, const struct core *core, bool is_sound,
                           int fd)
 {
-    uint64_t hash = chapters->totals.hash;
-    if (is_sound && atomic_load(&chapters->is_in_tick)) {
-        hash = chapters->totals.hash = REPLAY_HASH_NONE;
-        chapters->totals.ticks++;
-        replay_add(&chapters->writer, &chapters->begun, 0, &chapters->totals);
+    uint64_t hash = sessions->totals.hash;
+    if (is_sound && atomic_load(&sessions->is_in_tick)) {
+        hash = sessions->totals.hash = REPLAY_HASH_NONE;
+        sessions->totals.ticks++;
+        replay_add(&sessions->writer, &sessions->begun, 0, &sessions->totals);
     } else if (is_sound) {
         hash = core_hash(core);
     }
-    return replay_dump(&chapters->writer, chapters->memory, hash, !is_sound, fd);
+    return replay_dump(&sessions->writer, sessions->memory, hash, !is_sound, fd);
 }
 
 /* The store drops replays of rounds that are not in its database. Therefore the replay is passed to
  * the store after its round is on disk. */
-bool session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage)
+bool session_recorder_offer(struct session_recorder *sessions, const struct hal_storage *storage)
 {
     CORE_ASSERT(storage->ledger.ops && storage->replays.ops);
     const struct hal_replay_store *store = &storage->replays;
-    if (chapters->round_id == 0 ||
-        storage->ledger.ops->committed_id(storage->ledger.self) < chapters->round_id) {
+    if (sessions->round_id == 0 ||
+        storage->ledger.ops->committed_id(storage->ledger.self) < sessions->round_id) {
         return false;
     }
-    if (chapters->is_lent) {
-        const bool is_done = store->ops->stored_id(store->self) == chapters->round_id;
-        chapters->round_id = is_done ? 0 : chapters->round_id;
-        chapters->is_lent = !is_done;
+    if (sessions->is_lent) {
+        const bool is_done = store->ops->stored_id(store->self) == sessions->round_id;
+        sessions->round_id = is_done ? 0 : sessions->round_id;
+        sessions->is_lent = !is_done;
         return false;
     }
     const int result =
-        store->ops->store(store->self, chapters->round_id, chapters->replay, chapters->replay_size);
+        store->ops->store(store->self, sessions->round_id, sessions->replay, sessions->replay_size);
     if (result == HAL_OK) {
-        chapters->is_lent = true;
+        sessions->is_lent = true;
     } else if (result != HAL_ERR_BUSY) {
-        chapters->round_id = 0;
-        chapters->missed += (uint32_t)hal_is_fault(result);
+        sessions->round_id = 0;
+        sessions->missed += (uint32_t)hal_is_fault(result);
     }
     return hal_is_fault(result);
 }

@@ -66,18 +66,18 @@ struct session_recorder {
 };
 
 /* Starts the recording of a session. Call before the first tick of a new core. */
-void session_recorder_begin(struct session_recorder *chapters, const struct core *core);
+void session_recorder_begin(struct session_recorder *sessions, const struct core *core);
 
 /* Stores the input of the next tick. Call before each tick. */
-void session_recorder_before(struct session_recorder *chapters, const struct input *input);
+void session_recorder_before(struct session_recorder *sessions, const struct input *input);
 
 /* Records a tick. Call after each tick. */
-void session_recorder_tick(struct session_recorder *chapters, const struct input *input,
+void session_recorder_tick(struct session_recorder *sessions, const struct input *input,
                            const struct core *core, const struct output *output);
 
 /* Passes the finished replay to the store after its round is on disk. Call once per frame. Returns
  * true if the store failed. */
-bool session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage);
+bool session_recorder_offer(struct session_recorder *sessions, const struct hal_storage *storage);
 
 /* ---- PIN in a recording -------------------------------------------------------------------- */
 
@@ -106,13 +106,13 @@ bool session_recorder_may_contain_pin(const struct replay_reader *reader);
  * Returns false if a change of the recording was interrupted or is still in progress, otherwise
  * true. */
 #define SESSION_RECORDER_FREEZE_MS 200
-bool session_recorder_freeze(struct session_recorder *chapters, bool is_own);
+bool session_recorder_freeze(struct session_recorder *sessions, bool is_own);
 
 /* Returns true if there is a session to write. */
-bool session_recorder_has_begun(const struct session_recorder *chapters);
+bool session_recorder_has_begun(const struct session_recorder *sessions);
 
 /* Writes the session to the descriptor `fd`. session_recorder_freeze() must be called first, and
  * `is_sound` is the value that it returned. An interrupted tick is written with its input and
  * REPLAY_HASH_NONE. Returns 0 or a negative errno. */
-int session_recorder_dump(struct session_recorder *chapters, const struct core *core, bool is_sound,
+int session_recorder_dump(struct session_recorder *sessions, const struct core *core, bool is_sound,
                           int fd);

@@ -76,10 +76,10 @@ static void plate(const struct ui_frame *frame, uint32_t player, struct ui_box b
 {
     CORE_ASSERT(player < POI_MAX);
     const float u = frame->unit;
-    const bool is_judged = rules_of(frame->scene->mode)->counts_fouls;
+    const bool counts_fouls = rules_of(frame->scene->mode)->counts_fouls;
     const bool shows_level =
         rules_of(frame->scene->mode)->has_levels && box.width >= PLATE_WIDTH_LEVEL * u;
-    const float y = box.y + (is_judged ? 27.0f * u : 0.5f * box.height);
+    const float y = box.y + (counts_fouls ? 27.0f * u : 0.5f * box.height);
     ui_plate(frame, box);
     const struct ui_box band = { box.x + 4.0f * u, box.y + 10.0f * u, 5.0f * u,
                                  box.height - 20.0f * u };
@@ -111,7 +111,7 @@ static void plate(const struct ui_frame *frame, uint32_t player, struct ui_box b
                                       box.height - 12.0f * u },
                      state->level);
     }
-    if (is_judged) {
+    if (counts_fouls) {
         ui_foul_lamps(frame, box.x + 28.0f * u, box.y + box.height - 15.0f * u, 7.0f * u, 20.0f * u,
                       state->fouls);
     }

@@ -58,7 +58,7 @@ static void playback_ribbon(const struct ui_frame *frame)
         const float width = BAR_WIDTH * u;
         struct ui_box bar = { 0.5f * (frame->width - width), y + 44.0f * u, width, BAR_HEIGHT * u };
         ui_fill(frame, bar, UI_NIGHT);
-        bar.width = width * f_clamp(frame->scene->encore_progress, 0.0f, 1.0f);
+        bar.width = width * f_clamp(frame->scene->playback_progress, 0.0f, 1.0f);
         ui_fill(frame, bar, UI_GOLD);
     }
 }

@@ -52,8 +52,8 @@ static uint32_t turns_of(const struct slot *slot, struct debounce_edge_time turn
     return count;
 }
 
-static void judge(const struct slot *slot, struct tally *tally, uint64_t begin_ns, uint64_t end_ns,
-                  bool is_first, bool is_over)
+static void check_coin(const struct slot *slot, struct tally *tally, uint64_t begin_ns,
+                       uint64_t end_ns, bool is_first, bool is_over)
 {
     const uint64_t width_ns = end_ns - begin_ns;
     if (width_ns > slot->width_max_ns) {
@@ -81,7 +81,7 @@ static struct tally count_all(const struct slot *slot)
             continue;
         }
         if (waits && turn[i].time_ns - fell_ns >= COIN_GAP_NS) {
-            judge(slot, &tally, begin_ns, fell_ns, is_first, true);
+            check_coin(slot, &tally, begin_ns, fell_ns, is_first, true);
             waits = false;
         }
         if (!waits) {
@@ -92,7 +92,7 @@ static struct tally count_all(const struct slot *slot)
         falls = true;
     }
     if (waits || falls) {
-        judge(slot, &tally, begin_ns, falls ? slot->end_ns : fell_ns, is_first, waits);
+        check_coin(slot, &tally, begin_ns, falls ? slot->end_ns : fell_ns, is_first, waits);
     }
     return tally;
 }

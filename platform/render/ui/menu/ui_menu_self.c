@@ -250,7 +250,7 @@ void menu_self_test(const struct ui_frame *frame)
 {
     uint8_t state[SELF_CHECKS];
     const struct places *const places = &layouts[frame->is_upright];
-    const uint32_t next = self_test_judge(frame->scene, state);
+    const uint32_t next = self_test_result(frame->scene, state);
     for (uint32_t i = 0; i < SELF_CHECKS; i++) {
         draw_check_row(frame, places, i, state[i]);
     }

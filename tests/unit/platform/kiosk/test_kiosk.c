@@ -14,10 +14,10 @@
 
 static void expect_in_tick(void *self, const struct input *input)
 {
-    const struct session_recorder *chapters = self;
+    const struct session_recorder *sessions = self;
     (void)input;
-    assert_true(atomic_load(&chapters->is_busy));
-    assert_true(atomic_load(&chapters->is_in_tick));
+    assert_true(atomic_load(&sessions->is_busy));
+    assert_true(atomic_load(&sessions->is_in_tick));
     rig.seen_count++;
 }
 
@@ -26,11 +26,11 @@ static void expect_in_tick(void *self, const struct input *input)
  * gets the input of the tick. */
 static void test_a_stopped_thread_stops_before_its_tap_records_the_tick(void **state)
 {
-    static struct session_recorder chapters;
+    static struct session_recorder sessions;
     struct kiosk_config config = small;
     (void)state;
-    config.chapters = &chapters;
-    config.tap = (struct kiosk_tap){ .before = expect_in_tick, .self = &chapters };
+    config.sessions = &sessions;
+    config.tap = (struct kiosk_tap){ .before = expect_in_tick, .self = &sessions };
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
     frames(2);
     assert_int_equal(rig.seen_count, 4);

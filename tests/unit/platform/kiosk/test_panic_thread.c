@@ -24,7 +24,7 @@
 #define TICKS 30u
 
 static struct core core;
-static struct session_recorder chapters;
+static struct session_recorder sessions;
 static struct evidence evidence;
 static struct replay_reader reader;
 
@@ -42,11 +42,11 @@ static void record_ticks(void)
     if (core_init(&core, &config) != CORE_OK) {
         _exit(1);
     }
-    session_recorder_begin(&chapters, &core);
+    session_recorder_begin(&sessions, &core);
     for (uint32_t i = 0; i < TICKS; i++) {
-        session_recorder_before(&chapters, &input);
+        session_recorder_before(&sessions, &input);
         core_tick(&core, &input, &output);
-        session_recorder_tick(&chapters, &input, &core, &output);
+        session_recorder_tick(&sessions, &input, &core, &output);
     }
 }
 
@@ -105,7 +105,7 @@ static void run_kiosk(const char *folder, void *(*run)(void *self))
     pthread_t thread;
     setrlimit(RLIMIT_CORE, &no_core_file);
     record_ticks();
-    panic_evidence_open(&evidence, folder, &chapters, &core);
+    panic_evidence_open(&evidence, folder, &sessions, &core);
     panic_prepare(write_evidence, &evidence);
     if (!run) {
         overflow(0);

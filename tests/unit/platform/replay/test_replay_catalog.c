@@ -129,11 +129,11 @@ static void test_a_recording_of_the_lab_verifies(void **state)
     assert_int_equal(replayer_begin(&replayer, path, &config), 0);
     assert_int_equal(core_init(&core, &config), CORE_OK);
     const struct kiosk_source source = replayer_source(&replayer);
-    const struct kiosk_tap judge = replayer_tap(&replayer);
+    const struct kiosk_tap check = replayer_tap(&replayer);
     struct input input;
     while (source.next(source.self, &input)) {
         core_tick(&core, &input, &output);
-        judge.tick(judge.self, &input, &core);
+        check.tick(check.self, &input, &core);
     }
     assert_int_equal(replayer.damaged, 0);
     assert_int_equal(replayer.difference.found, 0);

@@ -140,7 +140,7 @@ static void test_an_uncalibrated_pose_is_not_changed(void **state)
 
 /* ---- Rejected calibration marks ------------------------------------------------------------- */
 
-static enum calibration_fault judge(const struct calibration_said *said)
+static enum calibration_fault fault_of(const struct calibration_said *said)
 {
     int32_t value[CALIBRATION_VALUES] = { 7, 7, 7, 7, 7, 7, 7, 7, 7 };
     const enum calibration_fault fault = input_calibration_solve(said, tank_m, value);
@@ -165,31 +165,31 @@ static void test_invalid_marks_are_rejected_with_a_reason(void **state)
         const struct calibration_said good = said_by(&twin);
         struct calibration_said said = good;
         said.corner_m[2] = v3_add(said.corner_m[1], v3(0.012f, 0.3f, 0.012f));
-        assert_int_equal(judge(&said), CALIBRATION_NEAR);
+        assert_int_equal(fault_of(&said), CALIBRATION_NEAR);
         said = good;
         swap_corners(&said, frame % 4u, (frame + 1u) % 4u);
-        assert_int_equal(judge(&said), CALIBRATION_CROSSED);
+        assert_int_equal(fault_of(&said), CALIBRATION_CROSSED);
         said = good;
         swap_corners(&said, frame % 2u, frame % 2u + 2u);
-        assert_int_equal(judge(&said), CALIBRATION_MIRRORED);
+        assert_int_equal(fault_of(&said), CALIBRATION_MIRRORED);
         said = good;
         /* Places all marks on one line. No calibration can be computed from such marks. */
         for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
             said.corner_m[i] = v3_scale(v3(1.0f, 0.0f, 0.4f), (float)i);
         }
-        assert_int_equal(judge(&said), CALIBRATION_CROSSED);
+        assert_int_equal(fault_of(&said), CALIBRATION_CROSSED);
         said = good;
         said.water.position_m.y = 10.5f;
-        assert_int_equal(judge(&said), CALIBRATION_FAR);
+        assert_int_equal(fault_of(&said), CALIBRATION_FAR);
         said = good;
         said.corner_m[frame % 4u] =
             seen_point(&twin, v3_scale(input_calibration_mark(tank_m, frame % 4u), 0.85f));
-        assert_int_equal(judge(&said), CALIBRATION_UNEVEN);
+        assert_int_equal(fault_of(&said), CALIBRATION_UNEVEN);
         said = good;
         said.water.angles.roll_rad = frame % 2u ? 0.80f : -0.80f;
-        assert_int_equal(judge(&said), CALIBRATION_TILTED);
+        assert_int_equal(fault_of(&said), CALIBRATION_TILTED);
         said.has_wrist = 0;
-        assert_int_equal(judge(&said), CALIBRATION_GOOD);
+        assert_int_equal(fault_of(&said), CALIBRATION_GOOD);
     }
 }
 

@@ -64,7 +64,7 @@ static int setup_page(void **state)
 static uint32_t judge(void)
 {
     menu_show(&core.game, &core.config, &scene.menu);
-    return self_test_judge(&scene, state_of);
+    return self_test_result(&scene, state_of);
 }
 
 /* Reports the newest ledger entry as saved, as a store that works does. */

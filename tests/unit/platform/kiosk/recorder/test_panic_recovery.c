@@ -286,28 +286,28 @@ static void test_a_panic_inside_an_attempt_makes_the_next_start_skip_it(void **s
  * panic_evidence_write() must then return false, because that thread may still change the core. */
 static void test_a_panic_of_another_thread_reports_an_unfinished_tick(void **state)
 {
-    static struct session_recorder chapters;
+    static struct session_recorder sessions;
     (void)state;
-    panic_evidence_open(&evidence, "", &chapters, NULL);
+    panic_evidence_open(&evidence, "", &sessions, NULL);
     evidence.thread = getpid() + 1;
-    atomic_store(&chapters.is_busy, 1);
+    atomic_store(&sessions.is_busy, 1);
     assert_int_equal(panic_evidence_write(&evidence, "test"), 0);
-    assert_true(atomic_load(&chapters.is_frozen));
-    atomic_store(&chapters.is_busy, 0);
+    assert_true(atomic_load(&sessions.is_frozen));
+    atomic_store(&sessions.is_busy, 0);
     assert_int_equal(panic_evidence_write(&evidence, "test"), 1);
 }
 
 static void test_only_the_owner_may_read_a_panic_replay(void **state)
 {
-    static struct session_recorder chapters;
+    static struct session_recorder sessions;
     static struct core core;
     struct core_config config = { .seed = 3, .lanes = cpu_lanes() };
     struct stat about;
     (void)state;
     settings_reset(&config.persistent.settings);
     assert_int_equal(core_init(&core, &config), CORE_OK);
-    session_recorder_begin(&chapters, &core);
-    panic_evidence_open(&evidence, dir, &chapters, &core);
+    session_recorder_begin(&sessions, &core);
+    panic_evidence_open(&evidence, dir, &sessions, &core);
     const mode_t before = umask(0);
     panic_evidence_write(&evidence, "a test");
     umask(before);

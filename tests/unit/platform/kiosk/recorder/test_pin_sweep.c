@@ -35,7 +35,7 @@ static struct replay_writer writer;
 static struct replay_totals totals;
 static struct recorder_tally tally;
 static struct pin_sweep sweep;
-static struct replay_verifier judge;
+static struct replay_verifier verifier;
 static struct ledger_file file;
 static uint8_t replay[SESSION_RECORDER_SIZE], found[SESSION_RECORDER_SIZE];
 static size_t replay_size, found_size;
@@ -174,11 +174,11 @@ static enum replay_verdict judged(uint32_t round_id)
     ledger_file_round(&file, round_id, &kept);
     assert_int_equal(ledger_file_get_replay(&file, round_id, found, sizeof found, &found_size),
                      SQLITE_OK);
-    if (replay_verifier_begin(&judge, found, found_size) == 0) {
-        while (replay_verifier_tick(&judge)) {
+    if (replay_verifier_begin(&verifier, found, found_size) == 0) {
+        while (replay_verifier_tick(&verifier)) {
         }
     }
-    return replay_verifier_result(&judge, &file.content.memory.ranking, round_id, &kept);
+    return replay_verifier_result(&verifier, &file.content.memory.ranking, round_id, &kept);
 }
 
 /* Returns 1 if the file `name` contains the `size` bytes at `bytes`, and 0 otherwise. */
@@ -229,18 +229,18 @@ static void test_removing_the_pin_keeps_an_old_replay_genuine(void **state)
     (void)state;
     const uint32_t round_id = keep_as_before();
     assert_int_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
-    const uint32_t ticks = judge.replayer.totals.ticks;
-    const struct round_record round = judge.round.round;
+    const uint32_t ticks = verifier.replayer.totals.ticks;
+    const struct round_record round = verifier.round.round;
     sweep_all();
     assert_int_equal(sweep.cleaned, 1);
     assert_int_equal(sweep.left, 0);
     assert_int_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
-    assert_int_equal(judge.replayer.totals.ticks, ticks);
-    assert_memory_equal(&judge.round.round, &round, sizeof round);
-    const struct core_config *config = &judge.replayer.reader.header.config;
+    assert_int_equal(verifier.replayer.totals.ticks, ticks);
+    assert_memory_equal(&verifier.round.round, &round, sizeof round);
+    const struct core_config *config = &verifier.replayer.reader.header.config;
     assert_int_equal(config->rules, 7);
     assert_int_equal(config->persistent.settings.value[SET_PIN], PIN_WITHHELD);
-    assert_false(session_recorder_may_contain_pin(&judge.replayer.reader));
+    assert_false(session_recorder_may_contain_pin(&verifier.replayer.reader));
     sweep_all(); /* A second sweep must find no replay with a PIN. */
     assert_int_equal(sweep.cleaned + sweep.left, 0);
 }
@@ -415,9 +415,9 @@ static void test_a_replay_of_another_score_is_cleared_and_still_reported(void **
     assert_int_equal(sweep.deleted + sweep.left, 0);
     assert_int_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
     assert_int_equal(judged(round_id + 1u), REPLAY_VERDICT_OTHER);
-    assert_int_equal(judge.replayer.reader.header.config.persistent.settings.value[SET_PIN],
+    assert_int_equal(verifier.replayer.reader.header.config.persistent.settings.value[SET_PIN],
                      PIN_WITHHELD);
-    assert_false(judge.replayer.difference.found);
+    assert_false(verifier.replayer.difference.found);
 }
 
 /* In a replay of format 7, a PIN may have been typed during the recording even if the initial
@@ -432,10 +432,10 @@ static void test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_for
     assert_int_equal(sweep.cleaned, 1);
     assert_int_equal(sweep.deleted + sweep.left, 0);
     judged(1);
-    assert_false(judge.replayer.difference.found);
-    assert_int_equal(judge.replayer.totals.ticks, 17455);
-    assert_int_equal(judge.replayer.reader.header.version, REPLAY_VERSION);
-    assert_int_equal(judge.replayer.reader.header.config.rules, 7);
+    assert_false(verifier.replayer.difference.found);
+    assert_int_equal(verifier.replayer.totals.ticks, 17455);
+    assert_int_equal(verifier.replayer.reader.header.version, REPLAY_VERSION);
+    assert_int_equal(verifier.replayer.reader.header.config.rules, 7);
 }
 
 /* ---- Replays that the sweep does not change ------------------------------------------------- */
@@ -512,10 +512,10 @@ static void test_a_replay_without_a_pin_stays_if_only_its_catalog_cannot_be_read
     settings_reset(&config.persistent.settings);
     assert_int_equal(replay_create_in(&writer, memory, sizeof memory, &config, 1), 0);
     replay_size = replay_copy(&writer, 1, replay, sizeof replay);
-    assert_int_equal(replay_open_in(&judge.replayer.reader, replay, replay_size), 0);
+    assert_int_equal(replay_open_in(&verifier.replayer.reader, replay, replay_size), 0);
     /* Changes the last byte of the catalog. */
-    replay[judge.replayer.reader.offset - REPLAY_SUM_SIZE - 1u] ^= 1u;
-    assert_int_equal(replay_open_in(&judge.replayer.reader, replay, replay_size), -1);
+    replay[verifier.replayer.reader.offset - REPLAY_SUM_SIZE - 1u] ^= 1u;
+    assert_int_equal(replay_open_in(&verifier.replayer.reader, replay, replay_size), -1);
     assert_sweep_keeps(1, replay, replay_size);
 }
 
@@ -553,7 +553,7 @@ static void test_the_store_removes_pins_only_while_its_queue_is_empty(void **sta
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
     assert_int_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
-    assert_int_equal(judge.replayer.reader.header.config.persistent.settings.value[SET_PIN],
+    assert_int_equal(verifier.replayer.reader.header.config.persistent.settings.value[SET_PIN],
                      PIN_WITHHELD);
 }
 

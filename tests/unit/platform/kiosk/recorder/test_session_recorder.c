@@ -23,8 +23,8 @@
 static struct core core, bots;
 static struct output output, unheard;
 static struct input input;
-static struct session_recorder chapters;
-static struct replay_verifier judge;
+static struct session_recorder sessions;
+static struct replay_verifier verifier;
 static struct storage_sim sim;
 static struct hal_storage storage;
 static uint8_t room[SESSION_RECORDER_SIZE];
@@ -49,8 +49,8 @@ static void tick(uint32_t pressed)
     for (uint32_t id = before + 1u; id <= output.entry_id; id++) {
         storage.ledger.ops->append(storage.ledger.self, &output.entries[id % LEDGER_RING]);
     }
-    session_recorder_tick(&chapters, &input, &core, &output);
-    session_recorder_offer(&chapters, &storage);
+    session_recorder_tick(&sessions, &input, &core, &output);
+    session_recorder_offer(&sessions, &storage);
 }
 
 static void ticks(uint32_t count)
@@ -70,14 +70,14 @@ static int set_up(void **state)
     memset(&sim, 0, sizeof sim);
     memset(&input, 0, sizeof input);
     memset(&output, 0, sizeof output);
-    memset(&chapters.totals, 0, sizeof chapters.totals);
-    chapters.round_id = chapters.missed = chapters.is_lent = 0;
+    memset(&sessions.totals, 0, sizeof sessions.totals);
+    sessions.round_id = sessions.missed = sessions.is_lent = 0;
     sim.replay = room;
     sim.replay_room = sizeof room;
     storage = storage_sim_device(&sim);
     assert_int_equal(core_init(&core, &config), CORE_OK);
     assert_int_equal(core_init(&bots, &config), CORE_OK);
-    session_recorder_begin(&chapters, &core);
+    session_recorder_begin(&sessions, &core);
     return 0;
 }
 
@@ -121,16 +121,16 @@ static void rest(void)
 static enum replay_verdict says(uint32_t round_id)
 {
     static const struct ledger_entry dropped;
-    return replay_verifier_result(&judge, &core.game.accounts.ranking, round_id, &dropped);
+    return replay_verifier_result(&verifier, &core.game.accounts.ranking, round_id, &dropped);
 }
 
 static enum replay_verdict judged(const uint8_t *bytes, size_t size, uint32_t round_id)
 {
-    if (replay_verifier_begin(&judge, bytes, size) == 0) {
-        while (replay_verifier_tick(&judge)) {
+    if (replay_verifier_begin(&verifier, bytes, size) == 0) {
+        while (replay_verifier_tick(&verifier)) {
         }
     }
-    return replay_verifier_result(&judge, &core.game.accounts.ranking, round_id, &sim.round);
+    return replay_verifier_result(&verifier, &core.game.accounts.ranking, round_id, &sim.round);
 }
 
 static void test_a_ranked_round_has_a_replay_that_verifies(void **state)
@@ -138,9 +138,9 @@ static void test_a_ranked_round_has_a_replay_that_verifies(void **state)
     (void)state;
     const uint32_t round_id = play();
     assert_int_equal(sim.replay_id, round_id);
-    assert_int_equal(chapters.missed, 0);
+    assert_int_equal(sessions.missed, 0);
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
-    assert_int_equal(judge.round.round.caught, sim.record.caught);
+    assert_int_equal(verifier.round.round.caught, sim.record.caught);
     assert_int_equal(judged(room, sim.replay_size, round_id + 1u), REPLAY_VERDICT_OTHER);
 }
 
@@ -160,7 +160,7 @@ static void lock(uint32_t pin)
     static struct core_config config;
     config = core.config;
     assert_int_equal(core_init(&core, &config), CORE_OK);
-    session_recorder_begin(&chapters, &core);
+    session_recorder_begin(&sessions, &core);
 }
 
 static void test_a_stored_replay_contains_no_pin_and_verifies(void **state)
@@ -194,7 +194,7 @@ static void begin_with_pin(int32_t told, int32_t kept)
     config.persistent.settings.value[SET_PIN] = kept;
     config.session.settings_edit.told.value[SET_PIN] = told;
     assert_int_equal(core_init(&core, &config), CORE_OK);
-    session_recorder_begin(&chapters, &core);
+    session_recorder_begin(&sessions, &core);
 }
 
 static void test_a_replay_after_a_change_of_the_pin_verifies(void **state)
@@ -225,7 +225,7 @@ static void assert_panic_replay_ends_in(uint64_t hash)
     char path[] = "/tmp/kingyo-panic-XXXXXX";
     const int fd = mkstemp(path);
     assert_true(fd >= 0);
-    assert_int_equal(session_recorder_dump(&chapters, &core, true, fd), 0);
+    assert_int_equal(session_recorder_dump(&sessions, &core, true, fd), 0);
     close(fd);
     assert_int_equal(replayer_begin(&replayer, path, &config), 0);
     unlink(path);
@@ -263,7 +263,7 @@ static void test_the_recording_ends_when_a_page_for_the_pin_opens(void **state)
     ticks(CORE_TICK_HZ / 2u);
     tick(INPUT_TEST);
     assert_true(core_status(&core).takes_pin);
-    assert_false(replay_is_open(&chapters.writer));
+    assert_false(replay_is_open(&sessions.writer));
     const uint64_t hash = core_hash(&core);
     ticks(CORE_TICK_HZ);
     /* Presses OK four times, which types 1111, a wrong PIN. */
@@ -274,7 +274,7 @@ static void test_the_recording_ends_when_a_page_for_the_pin_opens(void **state)
     assert_int_equal(core.game.settings_edit.pin_wrong, 1);
     assert_panic_replay_ends_in(hash);
     lock(4071); /* lock() starts a new session with a new recording. */
-    assert_true(replay_is_open(&chapters.writer));
+    assert_true(replay_is_open(&sessions.writer));
 }
 
 static void test_the_recording_ends_when_the_page_for_a_new_pin_opens(void **state)
@@ -283,10 +283,10 @@ static void test_the_recording_ends_when_the_page_for_a_new_pin_opens(void **sta
     tick(INPUT_TEST);
     ticks(10);
     assert_int_equal(core.game.phase, PHASE_MENU);
-    assert_true(replay_is_open(&chapters.writer));
+    assert_true(replay_is_open(&sessions.writer));
     core.game.menu.page = MENU_NEW_PIN;
     tick(0);
-    assert_false(replay_is_open(&chapters.writer));
+    assert_false(replay_is_open(&sessions.writer));
 }
 
 /* `missed` normally counts each round without a replay, and the menu then shows a warning. A page
@@ -305,17 +305,17 @@ static void test_a_round_after_a_page_for_the_pin_has_no_replay_and_is_not_misse
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
     bots = core;    /* `bots` still has an open menu, so it becomes a copy of the tested core. */
     play_at_once(); /* This round starts before a new session could begin. */
-    assert_int_equal(chapters.missed, 0);
+    assert_int_equal(sessions.missed, 0);
     assert_int_equal(sim.replay_id, 0);
 }
 
 static void test_a_round_after_the_memory_is_full_is_missed(void **state)
 {
     (void)state;
-    chapters.writer.memory_size = (size_t)chapters.writer.offset + REPLAY_END_SIZE;
+    sessions.writer.memory_size = (size_t)sessions.writer.offset + REPLAY_END_SIZE;
     play();
-    assert_false(replay_is_open(&chapters.writer));
-    assert_int_equal(chapters.missed, 1);
+    assert_false(replay_is_open(&sessions.writer));
+    assert_int_equal(sessions.missed, 1);
     assert_int_equal(sim.replay_id, 0);
 }
 
@@ -333,9 +333,9 @@ static void test_the_replay_verifier_reports_unchecked_if_the_core_fails_to_star
 {
     (void)state;
     const uint32_t round_id = play();
-    assert_int_equal(replay_verifier_begin(&judge, room, sim.replay_size), 0);
+    assert_int_equal(replay_verifier_begin(&verifier, room, sim.replay_size), 0);
     fesetround(FE_UPWARD);
-    while (replay_verifier_tick(&judge)) {
+    while (replay_verifier_tick(&verifier)) {
     }
     fesetround(FE_TONEAREST);
     assert_int_equal(says(round_id), REPLAY_VERDICT_UNCHECKED);
@@ -351,7 +351,7 @@ static void test_a_score_is_genuine_only_on_the_board_of_its_level(void **state)
         struct rank_row *row = &ranking->row[ranking_board(MODE_FESTIVAL, level)][RANK_EVER][0];
         assert_int_equal(row->round_id, round_id);
         assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
-        assert_int_equal(judge.round.round.level, level);
+        assert_int_equal(verifier.round.round.level, level);
         ranking->row[MODE_FESTIVAL][RANK_EVER][0] = *row;
         assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
     }
@@ -402,14 +402,14 @@ static void test_a_replay_of_a_different_round_is_not_genuine(void **state)
             ++*stall[i - 11u];
         }
         assert_int_equal(
-            replay_verifier_result(&judge, &core.game.accounts.ranking, round_id, &sim.round),
+            replay_verifier_result(&verifier, &core.game.accounts.ranking, round_id, &sim.round),
             REPLAY_VERDICT_OTHER);
         sim.round = kept;
     }
     sim.round = (struct ledger_entry){ 0 }; /* With an empty entry, as if the ledger had dropped the
                                                round, only the ranking is compared. */
     assert_int_equal(
-        replay_verifier_result(&judge, &core.game.accounts.ranking, round_id, &sim.round),
+        replay_verifier_result(&verifier, &core.game.accounts.ranking, round_id, &sim.round),
         REPLAY_VERDICT_GENUINE);
 }
 
@@ -423,12 +423,12 @@ static void test_each_single_mismatch_makes_a_score_not_genuine(void **state)
     const struct rank_row ranked = *row;
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     static struct replay_verifier found;
-    found = judge;
+    found = verifier;
 
-    judge.round.round.players = 2; /* The mask 2 means that only slot 1 played, but the score
+    verifier.round.round.players = 2; /* The mask 2 means that only slot 1 played, but the score
                                       belongs to slot 0. */
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
-    judge = found;
+    verifier = found;
     memset(&core.game.accounts.ranking, 0, sizeof core.game.accounts.ranking);
     *row = ranked;
     row->round_id = round_id + 1u; /* The ranking row now names another round with the same
@@ -436,24 +436,25 @@ static void test_each_single_mismatch_makes_a_score_not_genuine(void **state)
     assert_int_equal(says(round_id + 1u), REPLAY_VERDICT_OTHER);
     *row = ranked;
     assert_int_equal(says(round_id), REPLAY_VERDICT_GENUINE);
-    judge.said.ticks++; /* The recorded number of ticks is now larger than the replayed number. */
+    verifier.said
+        .ticks++; /* The recorded number of ticks is now larger than the replayed number. */
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
-    judge = found;
-    judge.round.round.by_bot = 1;
+    verifier = found;
+    verifier.round.round.by_bot = 1;
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
-    judge = found;
-    judge.round.round.unscored = 1;
+    verifier = found;
+    verifier.round.round.unscored = 1;
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
-    judge = found;
-    judge.replayer.difference.found = 1;
+    verifier = found;
+    verifier.replayer.difference.found = 1;
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
-    judge = found;
-    judge.replayer.damaged = 1;
+    verifier = found;
+    verifier.replayer.damaged = 1;
     assert_int_equal(says(round_id), REPLAY_VERDICT_DAMAGED);
-    judge = found;
-    judge.is_damaged = 1;
+    verifier = found;
+    verifier.is_damaged = 1;
     assert_int_equal(says(round_id), REPLAY_VERDICT_DAMAGED);
-    judge = found;
+    verifier = found;
     row->caught--;
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
     row->caught++;
@@ -478,11 +479,11 @@ static void test_a_round_of_the_next_session_verifies_alone(void **state)
     (void)state;
     play();
     rest();
-    assert_int_equal(chapters.totals.ticks, 0);
+    assert_int_equal(sessions.totals.ticks, 0);
     const uint32_t round_id = play();
     assert_int_equal(sim.replay_id, round_id);
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
-    assert_in_range(judge.said.ticks, 20u * CORE_TICK_HZ, 40u * CORE_TICK_HZ);
+    assert_in_range(verifier.said.ticks, 20u * CORE_TICK_HZ, 40u * CORE_TICK_HZ);
 }
 
 static void test_a_replay_is_stored_only_after_its_score(void **state)
@@ -500,15 +501,15 @@ static void test_a_store_without_replays_keeps_all_other_data(void **state)
     (void)state;
     sim.replay = NULL;
     play();
-    assert_int_equal(chapters.round_id, 0);
-    assert_int_equal(chapters.missed, 0);
+    assert_int_equal(sessions.round_id, 0);
+    assert_int_equal(sessions.missed, 0);
     sim.replay = room;
     sim.replay_room = 100; /* Every replay is larger than 100 bytes, so the store has no room for a
                               replay, as on a full card. */
     rest();
     play();
-    assert_int_equal(chapters.round_id, 0);
-    assert_int_equal(chapters.missed, 1);
+    assert_int_equal(sessions.round_id, 0);
+    assert_int_equal(sessions.missed, 1);
 }
 
 /* ---- Tests of the playback of a score ------------------------------------------------------- */
@@ -581,13 +582,13 @@ static void test_a_long_replay_is_read_within_the_time_budget_of_each_frame(void
     score_playback_frame(&playback, &hal, &slow_stopwatch, &core.game.accounts.ranking, 2);
     score_playback_frame(&playback, &hal, &slow_stopwatch, &core.game.accounts.ranking, 2);
     for (; !playback.has_play && frames < 1000u; frames++) {
-        const uint32_t before = playback.judge.replayer.reader.tick;
+        const uint32_t before = playback.verifier.replayer.reader.tick;
         score_playback_frame(&playback, &hal, &slow_stopwatch, &core.game.accounts.ranking, 2);
-        assert_true(playback.judge.replayer.reader.tick <= before + 3u * CORE_TICK_HZ);
+        assert_true(playback.verifier.replayer.reader.tick <= before + 3u * CORE_TICK_HZ);
         score_playback_show(&playback, &scene, &output);
         assert_int_equal(scene.playback, ENCORE_SEEKS);
     }
-    assert_in_range(frames, playback.judge.said.ticks / (3u * CORE_TICK_HZ) - 1u, 100);
+    assert_in_range(frames, playback.verifier.said.ticks / (3u * CORE_TICK_HZ) - 1u, 100);
     assert_true(frames >= 3u);
     score_playback_end(&playback);
 }
