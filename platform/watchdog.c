@@ -59,9 +59,9 @@ static void watchdog_kick(void *self)
 {
     struct watchdog *watchdog = self;
     const uint64_t now_ns = watchdog->clock.ops->now_ns(watchdog->clock.self);
-    if (!watchdog->told_ready) {
-        watchdog->told_ready = watchdog_say(watchdog, "READY=1");
-        watchdog->is_deaf = !watchdog->told_ready;
+    if (!watchdog->reported_ready) {
+        watchdog->reported_ready = watchdog_say(watchdog, "READY=1");
+        watchdog->is_deaf = !watchdog->reported_ready;
     } else if (now_ns - watchdog->last_kick_ns < watchdog->period_ns) {
         return;
     } else {

@@ -14,7 +14,7 @@ struct watchdog {
     int socket_fd;
     uint64_t period_ns; /* Minimum interval in nanoseconds between two sent notifications. */
     uint64_t last_kick_ns;
-    bool told_ready; /* True if the service manager has accepted READY=1. */
+    bool reported_ready; /* True if the service manager has accepted READY=1. */
     /* True if the service manager restarts the kiosk when notifications are missing. */
     bool has_limit;
     bool is_deaf; /* True if the service manager did not accept the last notification. */

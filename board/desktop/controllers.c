@@ -160,12 +160,12 @@ static bool wants(const struct board_options *options, enum board_poi kind)
     return options->poi == BOARD_POI_AUTO || options->poi == kind;
 }
 
-static void add_pointer(struct hal *hal, const struct board_options *options, uint32_t heeds)
+static void add_pointer(struct hal *hal, const struct board_options *options, uint32_t kinds)
 {
-    CORE_ASSERT(heeds != 0);
+    CORE_ASSERT(kinds != 0);
     const uint32_t width = options->width ? options->width : 1280;
     const uint32_t height = options->height ? options->height : 720;
-    mouse_poi_init(&devices.mouse, hal->clock, &options->view, width, height, heeds);
+    mouse_poi_init(&devices.mouse, hal->clock, &options->view, width, height, kinds);
     devices.has_pointer = true;
     add_source(mouse_poi_devices(&devices.mouse), mouse_poi_is_used, &devices.mouse,
                INPUT_KIND_POINTER, true);
@@ -219,11 +219,11 @@ void controllers_open(struct hal *hal, const struct board_options *options)
     CORE_ASSERT(hal->clock.ops && options);
     /* Pointer devices in use, as bits of enum pointer_filter. The mouse and the touch screen
      * control the same poi. The device that moved last sets the position of the poi. */
-    const uint32_t heeds = (wants(options, BOARD_POI_MOUSE) ? (uint32_t)POINTER_FILTER_MOUSE : 0u) |
+    const uint32_t kinds = (wants(options, BOARD_POI_MOUSE) ? (uint32_t)POINTER_FILTER_MOUSE : 0u) |
                            (wants(options, BOARD_POI_TOUCH) ? (uint32_t)POINTER_FILTER_TOUCH : 0u);
     usb_open(hal, options);
     devices.has_pointer = false;
-    if (!heeds) { /* SDL drops mouse and touch events, because no driver reads them. */
+    if (!kinds) { /* SDL drops mouse and touch events, because no driver reads them. */
         static const Uint32 types[] = { SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP,
                                         SDL_MOUSEWHEEL,  SDL_FINGERDOWN,      SDL_FINGERUP,
                                         SDL_FINGERMOTION };
@@ -240,8 +240,8 @@ void controllers_open(struct hal *hal, const struct board_options *options)
     if (wants(options, BOARD_POI_PAD)) {
         add_pads(hal, options);
     }
-    if (heeds) {
-        add_pointer(hal, options, heeds);
+    if (kinds) {
+        add_pointer(hal, options, kinds);
     }
 }
 

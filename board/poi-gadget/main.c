@@ -83,7 +83,7 @@ static const struct option_table table = { options, sizeof options / sizeof opti
 /* ---- Commands ------------------------------------------------------------------------------- */
 
 static enum exit_code play_sensors(const struct poi_config *config,
-                                   const struct arguments *arguments, struct feel_sink sink)
+                                   const struct arguments *arguments, struct force_sink sink)
 {
     static struct sensor_source own;
     char why[SENSORS_WHY_SIZE];
@@ -108,7 +108,7 @@ static enum exit_code stream_poses(struct poi_config *config, const struct argum
     static struct pose_script_source script;
     static struct sensor_twin_source twin;
     static struct motor motor;
-    struct feel_sink sink = { 0 };
+    struct force_sink sink = { 0 };
     char why[MOTOR_WHY_SIZE];
     if (!arguments->run.prints) {
         if (!motor_open(&motor, config, arguments->root, why)) {

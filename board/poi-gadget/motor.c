@@ -143,7 +143,7 @@ void motor_set(struct motor *motor, struct feel_levels levels)
     put_again(motor->light_fd, &motor->light_value, (uint32_t)(light + 0.5f));
 }
 
-static void motor_feel(void *self, const struct poi_force *newest, float seconds)
+static void motor_force(void *self, const struct poi_force *newest, float seconds)
 {
     struct motor *motor = self;
     motor_set(motor, motor_mix_step(&motor->mix, newest, seconds));
@@ -154,7 +154,7 @@ static void motor_stop(void *self)
     motor_set(self, (struct feel_levels){ 0 });
 }
 
-struct feel_sink motor_sink(struct motor *motor)
+struct force_sink motor_sink(struct motor *motor)
 {
-    return (struct feel_sink){ .feel = motor_feel, .stop = motor_stop, .self = motor };
+    return (struct force_sink){ .feel = motor_force, .stop = motor_stop, .self = motor };
 }

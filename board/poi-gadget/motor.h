@@ -60,7 +60,7 @@ bool motor_open(struct motor *motor, const struct poi_config *config, const char
 
 /* Returns a receiver of force feedback that drives the motor and the light. The receiver's stop()
  * sets the motor and the light to 0. */
-struct feel_sink motor_sink(struct motor *motor);
+struct force_sink motor_sink(struct motor *motor);
 
 /* Sets the outputs of the motor and the light immediately. */
 void motor_set(struct motor *motor, struct feel_levels levels);

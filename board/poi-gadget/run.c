@@ -17,12 +17,12 @@
 /* Number of cycles of the main loop between two attempts to open a missing device. */
 #define REOPEN_BEATS 64u
 
-static volatile sig_atomic_t told_to_end;
+static volatile sig_atomic_t must_stop;
 
 static void on_signal(int number)
 {
     (void)number;
-    told_to_end = 1;
+    must_stop = 1;
 }
 
 /* ---- Timing of the main loop ----------------------------------------------------------------- */
@@ -46,7 +46,7 @@ static float beat_wait(struct beat *beat)
     }
     beat->next_ns += beats * beat->period_ns;
     beat->count += beats;
-    while (!told_to_end && clock_ns(CLOCK_MONOTONIC) < beat->next_ns) {
+    while (!must_stop && clock_ns(CLOCK_MONOTONIC) < beat->next_ns) {
         clock_sleep_until(beat->next_ns);
     }
     return (float)(beats * beat->period_ns) * 1e-9f;
@@ -55,7 +55,7 @@ static float beat_wait(struct beat *beat)
 /* ---- Statistics and the USB device ---------------------------------------------------------- */
 
 /* Sends the report if it is new, and forwards the host's force feedback to `sink`. */
-static void exchange(struct hid_gadget *gadget, struct feel_sink sink, float seconds,
+static void exchange(struct hid_gadget *gadget, struct force_sink sink, float seconds,
                      const struct poi_report *report)
 {
     struct poi_force force;
@@ -66,7 +66,7 @@ static void exchange(struct hid_gadget *gadget, struct feel_sink sink, float sec
 }
 
 enum exit_code run(const struct run_options *options, struct pose_source source,
-                   struct feel_sink sink)
+                   struct force_sink sink)
 {
     assert(options->rate_hz >= RUN_RATE_MIN_HZ && options->rate_hz <= RUN_RATE_MAX_HZ);
     const uint64_t now = clock_ns(CLOCK_MONOTONIC);
@@ -85,12 +85,12 @@ enum exit_code run(const struct run_options *options, struct pose_source source,
             options->device, strerror(errno));
     }
     const struct sigaction action = { .sa_handler = on_signal };
-    told_to_end = 0;
+    must_stop = 0;
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
     signal(SIGPIPE, SIG_IGN);
     float seconds = 1.0f / (float)options->rate_hz;
-    while (result >= 0 && !told_to_end && !(options->prints && ferror(stdout)) &&
+    while (result >= 0 && !must_stop && !(options->prints && ferror(stdout)) &&
            (options->seconds == 0 ||
             (float)(beat.next_ns - beat.begin_ns) * 1e-9f <= (float)options->seconds)) {
         result = source.step(source.self, seconds, &report);

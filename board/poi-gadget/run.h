@@ -35,7 +35,7 @@ struct pose_source {
 #define RUN_RATE_MAX_HZ 1000u
 
 /* Receiver of the host's force feedback, for example the motor. */
-struct feel_sink {
+struct force_sink {
     /* Function that handles force feedback. `newest` is the newest report, or null if no report has
      * arrived since the last call. `seconds` is the time since the last call. */
     void (*feel)(void *self, const struct poi_force *newest, float seconds);
@@ -57,7 +57,7 @@ struct run_options {
  * Returns EXIT_OK, EXIT_IO if the device is missing at the start, or EXIT_BAD_DATA if the source
  * has an invalid pose. Asserts that the rate is in range. */
 enum exit_code run(const struct run_options *options, struct pose_source source,
-                   struct feel_sink sink);
+                   struct force_sink sink);
 
 /* ---- Commands (commands.c) ------------------------------------------------------------------- */
 

@@ -75,8 +75,8 @@ const struct field_table audits_fields = FIELD_TABLE(audits,
 
 #define STRUCT health_log
 static const struct field_table health_log_fields = FIELD_TABLE(health_log,
-    FIELD(is_told), FIELD(told_tick), FIELD(dropped_ticks), FIELD(device_faults),
-    FIELD(told_shakes), FIELD_LATER(away_ticks[0], 1), FIELD_LATER(loss_tick[0], 2),
+    FIELD(is_written), FIELD(written_tick), FIELD(dropped_ticks), FIELD(device_faults),
+    FIELD(written_shakes), FIELD_LATER(away_ticks[0], 1), FIELD_LATER(loss_tick[0], 2),
     FIELD_LATER(away_ticks[1], 3), FIELD_LATER(loss_tick[1], 4), FIELD_LATER(away_ticks[2], 5),
     FIELD_LATER(loss_tick[2], 6), FIELD_LATER(away_ticks[3], 7), FIELD_LATER(loss_tick[3], 8));
 #undef STRUCT

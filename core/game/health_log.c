@@ -13,8 +13,8 @@ static struct ledger_entry health_of(const struct credit *credit,
     const uint32_t shakes = credit->shakes;
     return (struct ledger_entry){
         .kind = LEDGER_HEALTH,
-        .count = shakes - health_log->told_shakes,
-        .value = (int32_t)((tick - health_log->told_tick) / CORE_TICK_HZ),
+        .count = shakes - health_log->written_shakes,
+        .value = (int32_t)((tick - health_log->written_tick) / CORE_TICK_HZ),
         .health = {
             .up_s = tick / CORE_TICK_HZ,
             .dropped_ticks = input->dropped_ticks - health_log->dropped_ticks,
@@ -28,10 +28,10 @@ void health_log_write(struct accounts *accounts, struct health_log *health_log, 
 {
     const struct ledger_entry entry = health_of(&accounts->credit, health_log, tick, input);
     if (ledger_write(accounts, tick, &entry, output) != 0) {
-        health_log->told_tick += (uint32_t)entry.value * CORE_TICK_HZ;
+        health_log->written_tick += (uint32_t)entry.value * CORE_TICK_HZ;
         health_log->dropped_ticks = input->dropped_ticks;
         health_log->device_faults = input->device_faults;
-        health_log->told_shakes = accounts->credit.shakes;
+        health_log->written_shakes = accounts->credit.shakes;
     }
 }
 
@@ -56,8 +56,8 @@ void health_log_tick(struct accounts *accounts, struct health_log *health_log,
                      const struct input *input, struct output *output)
 {
     struct ledger *ledger = &accounts->ledger;
-    const bool is_first = !health_log->is_told;
-    health_log->is_told = 1;
+    const bool is_first = !health_log->is_written;
+    health_log->is_written = 1;
     if (is_first && ledger->boot > 0) { /* Log the kiosk's start. Without a store (`boot` 0)
                                            starts are not counted and not logged. */
         const struct ledger_entry entry = { .kind = LEDGER_BOOT,
@@ -74,7 +74,7 @@ void health_log_tick(struct accounts *accounts, struct health_log *health_log,
                                                     kiosk. */
         }
     }
-    const bool is_due = game->tick - health_log->told_tick >= HEALTH_LOG_TICKS;
+    const bool is_due = game->tick - health_log->written_tick >= HEALTH_LOG_TICKS;
     if ((is_due || ledger_needs_sync(ledger)) && ledger_may_write(ledger, LEDGER_HEALTH)) {
         health_log_write(accounts, health_log, game->tick, input, output);
     }

@@ -14,12 +14,12 @@
 
 struct health_log {
     /* 1 if the entry LEDGER_BOOT, which logs this start of the kiosk, is written; otherwise 0. */
-    uint8_t is_told;
-    uint32_t told_tick; /* Tick at which the last LEDGER_HEALTH was written. */
+    uint8_t is_written;
+    uint32_t written_tick; /* Tick at which the last LEDGER_HEALTH was written. */
     /* Values of the counters `dropped_ticks` and `device_faults` in the input when the last
      * LEDGER_HEALTH was written. */
     uint32_t dropped_ticks, device_faults;
-    uint32_t told_shakes;
+    uint32_t written_shakes;
     /* Number of ticks for which each slot in play has been without its controller. */
     uint32_t away_ticks[POI_MAX];
     /* Tick at which each slot last lost its controller in a round; 0 means never. */

@@ -123,14 +123,14 @@ static bool take_blink(struct gpio_edge_filter *input, const struct gpio_edge *e
     CORE_ASSERT(edge->active == debounce->raw);
     input->blinks++;
     const bool is_pair = input->blinked_ns != NEVER &&
-                         edge->time_ns <= input->told_ns + GPIO_PAIR_NS &&
+                         edge->time_ns <= input->reported_ns + GPIO_PAIR_NS &&
                          edge->time_ns >= input->blinked_ns + debounce->period_ns;
     const bool active = debounce->raw;
     const bool rests =
         !active && !debounce->stable && edge->time_ns >= debounce->since_ns + GPIO_UNDER_WAY_NS;
     input->doubtful += is_pair;
     input->blinked_ns = rests && !is_pair ? edge->time_ns : NEVER;
-    input->told_ns = edge->taken_ns;
+    input->reported_ns = edge->taken_ns;
     struct debounce_edge_time none;
     const bool turned = gpio_debounce_edge(debounce, edge->time_ns, !active, out);
     /* The second edge has the time of the first edge, so no transition can complete between the

@@ -104,7 +104,7 @@ struct gpio_edge_filter {
     uint64_t blinked_ns;
     /* Time at which the GPIO thread received the last null edge (an edge event without a change of
      * the level). */
-    uint64_t told_ns;
+    uint64_t reported_ns;
     /* Time of the newest polled level that the filter accepted in place of edge events. Edge events
      * with time stamps up to this time are ignored. */
     uint64_t believed_ns;

@@ -13,13 +13,13 @@
 #define CREEP_PX 24.0f
 
 void mouse_poi_init(struct mouse_poi *mouse, struct hal_clock clock, const struct view *view,
-                    uint32_t width, uint32_t height, uint32_t heeds)
+                    uint32_t width, uint32_t height, uint32_t enabled)
 {
     CORE_ASSERT(clock.ops);
-    CORE_ASSERT(!(heeds & ~(uint32_t)(POINTER_FILTER_MOUSE | POINTER_FILTER_TOUCH)));
+    CORE_ASSERT(!(enabled & ~(uint32_t)(POINTER_FILTER_MOUSE | POINTER_FILTER_TOUCH)));
     *mouse = (struct mouse_poi){
         .clock = clock,
-        .heeds = (uint8_t)heeds,
+        .enabled = (uint8_t)enabled,
         .report = {
             .x_px = 0.5f * (float)width,
             .y_px = 0.5f * (float)height,
@@ -55,9 +55,9 @@ static int mouse_poi_open(void *self)
                                     cursor. */
     static const char *const names[] = { "", "mouse", "touch screen", "mouse or touch screen" };
     const char *video = SDL_GetCurrentVideoDriver();
-    snprintf(mouse->text, sizeof mouse->text, "%s (SDL %s)", names[mouse->heeds & 3u],
+    snprintf(mouse->text, sizeof mouse->text, "%s (SDL %s)", names[mouse->enabled & 3u],
              video ? video : "?");
-    SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, mouse->heeds & POINTER_FILTER_TOUCH ? "0" : "1");
+    SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, mouse->enabled & POINTER_FILTER_TOUCH ? "0" : "1");
     mouse->last_poll_ns = hal_now_ns(mouse->clock);
     SDL_DelEventWatch(watch_key, mouse); /* An existing event watch for key F is removed first.
                                             After reopening, the watch is therefore registered only
@@ -126,7 +126,7 @@ static void mouse_poi_take_event(struct mouse_poi *mouse, const SDL_Event *event
     CORE_ASSERT(event);
     const bool is_finger = event->type >= SDL_FINGERDOWN;
     const uint32_t heed = is_finger ? POINTER_FILTER_TOUCH : POINTER_FILTER_MOUSE;
-    if (mouse->heeds & heed) {
+    if (mouse->enabled & heed) {
         /* A window that opens under a resting pointer causes a motion event, which must not count
          * as use by a person. Use is recorded after CREEP_PX of motion. */
         const bool is_motion = event->type == SDL_MOUSEMOTION;
@@ -139,7 +139,7 @@ static void mouse_poi_take_event(struct mouse_poi *mouse, const SDL_Event *event
         }
     }
     mouse->report.wheel_notches = 0.0f;
-    if (is_finger && (mouse->heeds & POINTER_FILTER_TOUCH)) {
+    if (is_finger && (mouse->enabled & POINTER_FILTER_TOUCH)) {
         const SDL_TouchFingerEvent *finger = &event->tfinger;
         const struct touch_event touch = {
             .kind = (uint8_t)(finger->type == SDL_FINGERDOWN ? TOUCH_DOWN
@@ -154,7 +154,7 @@ static void mouse_poi_take_event(struct mouse_poi *mouse, const SDL_Event *event
             learn_window(&mouse->report, finger->windowID);
             touch_fingers_point(&mouse->fingers, &mouse->report);
         }
-    } else if (!is_finger && (mouse->heeds & POINTER_FILTER_MOUSE)) {
+    } else if (!is_finger && (mouse->enabled & POINTER_FILTER_MOUSE)) {
         take_mouse(mouse, event);
     }
     mouse->report.buttons = (mouse->report.buttons & POINTER_FAN) | mouse->mouse_buttons |
@@ -288,7 +288,7 @@ static int mouse_poi_buttons_poll(void *self, struct button_sample *out)
 static const char *buttons_describe(void *self)
 {
     const struct mouse_poi *mouse = self;
-    return mouse->heeds & POINTER_FILTER_TOUCH ? "three fingers start" : "";
+    return mouse->enabled & POINTER_FILTER_TOUCH ? "three fingers start" : "";
 }
 
 struct hal_controller_devices mouse_poi_devices(struct mouse_poi *mouse)

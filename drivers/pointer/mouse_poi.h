@@ -23,7 +23,7 @@ struct mouse_poi {
     struct hal_clock clock;
     struct pointer_poi pointer;
     bool fan_key;           /* True while the F key is pressed. */
-    uint8_t heeds;          /* Enabled devices, as bits of enum pointer_filter. */
+    uint8_t enabled;        /* Enabled devices, as bits of enum pointer_filter. */
     uint32_t mouse_buttons; /* Pressed mouse buttons, as bits of enum pointer_button. */
     struct touch_fingers fingers;
     uint64_t used_ns; /* Time of the last use by a person. 0 means never. */
@@ -37,9 +37,9 @@ struct mouse_poi {
 };
 
 /* Initializes the device. `width` and `height` are the assumed size of the window in pixels until
- * the first event reports the real size. `heeds` has bits of enum pointer_filter. */
+ * the first event reports the real size. `enabled` has bits of enum pointer_filter. */
 void mouse_poi_init(struct mouse_poi *mouse, struct hal_clock clock, const struct view *view,
-                    uint32_t width, uint32_t height, uint32_t heeds);
+                    uint32_t width, uint32_t height, uint32_t enabled);
 
 /* Returns the devices of the mouse or touch screen. The mouse controls the fan while key F is
  * pressed. The button device reports START while three fingers touch the screen. */

@@ -36,8 +36,8 @@
 struct usb_device_entry {
     /* The USB device of the entry. A null `device.device` means that the entry is empty. */
     struct usb_device device;
-    uint8_t trouble;      /* Current fault of the device (enum usb_device_fault). */
-    uint8_t told_trouble; /* Fault of the device that was reported last (enum usb_device_fault). */
+    uint8_t trouble;          /* Current fault of the device (enum usb_device_fault). */
+    uint8_t reported_trouble; /* Fault that was reported last (enum usb_device_fault). */
     /* Number of consecutive attempts to open the device to which the device did not respond. Each
      * such attempt blocked the event thread. */
     uint8_t failures;

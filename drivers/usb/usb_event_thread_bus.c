@@ -241,11 +241,11 @@ void usb_event_thread_report_fault(struct usb_event_thread *usb_thread,
 {
     CORE_ASSERT(entry->trouble <= USB_AWAY);
     char text[HAL_TEXT_SIZE];
-    if (usb_thread->tell && needs_operator(entry) && entry->trouble != entry->told_trouble) {
+    if (usb_thread->tell && needs_operator(entry) && entry->trouble != entry->reported_trouble) {
         write_trouble(entry, text);
         usb_thread->tell(usb_thread->tell_self, text);
     }
-    entry->told_trouble = entry->trouble;
+    entry->reported_trouble = entry->trouble;
 }
 
 void usb_event_thread_publish(struct usb_event_thread *usb_thread)

@@ -116,7 +116,7 @@ static void open_device(struct usb_event_thread *usb_thread, struct usb_device_e
                                 : entry->failures < FAILURES_MAX ? entry->failures + 1u
                                                                  : FAILURES_MAX);
     if (handle) {
-        entry->told_trouble = USB_FINE;
+        entry->reported_trouble = USB_FINE;
         attach_to_slot(usb_thread, entry, handle, slot, link);
     } else if (entry->trouble != USB_FINE) {
         const bool is_denied = entry->trouble == USB_DENIED || entry->trouble == USB_HELD;
@@ -148,7 +148,7 @@ static void examine(struct usb_event_thread *usb_thread, struct usb_device_entry
     entry->due_ns =
         is_unknown && now_ns - entry->met_ns < SETTLE_NS ? now_ns + SOON_NS : UINT64_MAX;
     if (entry->device.verdict <= USB_FREE) {
-        entry->trouble = entry->told_trouble = USB_FINE;
+        entry->trouble = entry->reported_trouble = USB_FINE;
     }
     switch (entry->device.verdict) {
     case USB_BARRED:

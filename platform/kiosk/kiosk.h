@@ -110,7 +110,7 @@ struct kiosk {
     uint64_t quit_until_ns;
     /* Number of commands in `output` that the kiosk has already executed. output.command_count is
      * the number of all commands. */
-    uint32_t told_orders;
+    uint32_t sent_commands;
     /* Id of the round whose replay the operator wants to see. 0 means no request. */
     uint32_t wanted_replay_id;
     /* True if the operator has acknowledged the quarantined files but the health monitor has not

@@ -15,9 +15,9 @@ _Static_assert(FRAME_PACER_TICKS_MAX / MENU_TAKE_TICKS + 2u <= CONTROLLER_COMMAN
 /* Executes the operator's commands of the frame in their order. */
 static void execute_commands(struct kiosk *kiosk, const struct hal *hal)
 {
-    while (kiosk->told_orders != kiosk->output.command_count) {
+    while (kiosk->sent_commands != kiosk->output.command_count) {
         const struct controller_command *order =
-            &kiosk->output.commands[kiosk->told_orders++ % CONTROLLER_COMMAND_MAX];
+            &kiosk->output.commands[kiosk->sent_commands++ % CONTROLLER_COMMAND_MAX];
         if (order->kind == COMMAND_RESTART) {
             kiosk->restart_ns = hal_now_ns(hal->clock) + RESTART_WAIT_NS;
         } else if (order->kind == COMMAND_REPLAY) {

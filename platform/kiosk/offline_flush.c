@@ -75,13 +75,13 @@ bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *st
     /* Record the amounts of a transfer as transferred after the store has written the transfer. */
     if (flush->is_asked && store->ops->offline_merged(store->self) == HAL_OK) {
         flush->told = flush->asked;
-        flush->told_balance = flush->asked_balance;
+        flush->flushed_balance = flush->asked_balance;
         flush->is_asked = false;
     }
     if (flush->is_asked) {
         return false;
     }
-    const struct balance_change step = { flush->told_balance, batch.status.balance };
+    const struct balance_change step = { flush->flushed_balance, batch.status.balance };
     /* Add one entry for each coin line that received coins. The audits contain only the total value
      * of all coins, not the value of each coin line. Therefore the first entry gets the total
      * value, and the other entries get 0. */

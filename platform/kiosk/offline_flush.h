@@ -17,7 +17,7 @@
 struct offline_flush {
     struct audits told; /* Audit counts of this kiosk that the store has already written to disk. */
     /* Balance of this kiosk that the store has already written to disk. */
-    struct balance told_balance;
+    struct balance flushed_balance;
     /* Audit counts of this kiosk that will be on disk when the current write succeeds. */
     struct audits asked;
     struct balance asked_balance;

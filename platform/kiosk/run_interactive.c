@@ -137,7 +137,7 @@ static enum kiosk_end run_interactive_loop(struct run_common *session)
     enum kiosk_end end = KIOSK_RUNS;
     struct frame_pacer_sleep rest = { 0 };
     uint32_t shots = 0;
-    bool was_away = false, is_float_told = false;
+    bool was_away = false, is_float_reported = false;
     while (end == KIOSK_RUNS && !*session->stop) {
         const uint64_t begin_ns = hal_now_ns(clock);
         end = kiosk_frame(&session->kiosk, &session->hal);
@@ -152,11 +152,11 @@ static enum kiosk_end run_interactive_loop(struct run_common *session)
         }
         /* Report a changed floating-point control register once, because a library that changes the
          * register changes the register in each frame. */
-        if (session->kiosk.float_resets > 0 && !is_float_told) {
+        if (session->kiosk.float_resets > 0 && !is_float_reported) {
             log_print(LOG_LEVEL_WARNING,
                       "a library changed how this thread computes (denormal numbers or "
                       "rounding): it is set back before each frame");
-            is_float_told = true;
+            is_float_reported = true;
         }
         /* Take a picture if one is due. After the first failure no more pictures are taken, so that
          * the error is reported only once. */

@@ -130,7 +130,7 @@ void status_update(struct status *status, const struct kiosk *kiosk, const struc
                    uint64_t now_ns)
 {
     CORE_ASSERT(!status->runs || status->path[0]);
-    const bool has_changed = kiosk->input.store_well != status->told_well;
+    const bool has_changed = kiosk->input.store_well != status->reported_well;
     if (!status->runs || (now_ns < status->next_ns && !has_changed)) {
         return;
     }
@@ -139,7 +139,7 @@ void status_update(struct status *status, const struct kiosk *kiosk, const struc
     if (pthread_mutex_trylock(&status->mutex) == 0) {
         status->report = status->draft;
         status->is_fresh = true;
-        status->told_well = status->draft.store_well;
+        status->reported_well = status->draft.store_well;
         pthread_cond_signal(&status->changed);
         pthread_mutex_unlock(&status->mutex);
     }

@@ -86,7 +86,7 @@ struct status {
     bool runs;        /* True if the status file's thread exists. */
     uint64_t next_ns; /* Time of the next report. */
     /* Value of `store_well` in the last report that was passed to the status file's thread. */
-    bool told_well;
+    bool reported_well;
     struct status_report draft;
     char text[STATUS_TEXT_MAX];
     char path[PATH_MAX];

@@ -68,9 +68,9 @@ static void clear_later_fields(struct ledger *ledger, uint32_t version)
     if (version > 7u) {
         return;
     }
-    struct balance *const purses[] = { &ledger->balance, &ledger->committed };
+    struct balance *const balances[] = { &ledger->balance, &ledger->committed };
     for (uint32_t i = 0; i < LEDGER_RING + 2u; i++) {
-        struct balance *balance = i < LEDGER_RING ? &ledger->after[i] : purses[i - LEDGER_RING];
+        struct balance *balance = i < LEDGER_RING ? &ledger->after[i] : balances[i - LEDGER_RING];
         balance->returned = 0;
         balance->tickets = 0;
     }

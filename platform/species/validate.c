@@ -56,15 +56,15 @@ bool species_name_is_good(const char text[SPECIES_NAME_SIZE])
 
 /* Validates the name `text`. If the name is invalid, writes the reason to `why` and returns false.
  * In the reason the name is called "ITEM INDEX/name". */
-static bool vet_name(char why[VALIDATE_WHY_SIZE], const char *item, uint32_t index,
-                     const char text[SPECIES_NAME_SIZE])
+static bool validate_name(char why[VALIDATE_WHY_SIZE], const char *item, uint32_t index,
+                          const char text[SPECIES_NAME_SIZE])
 {
     return species_name_is_good(text) ||
            validate_refuse(why, "%s %u/name: the name must have 1 to %u characters a-z, 0-9 and _",
                            item, index, SPECIES_NAME_SIZE - 1u);
 }
 
-static bool vet_keys(const struct species_card *card, char why[VALIDATE_WHY_SIZE])
+static bool validate_keys(const struct species_card *card, char why[VALIDATE_WHY_SIZE])
 {
     if (card->key_count < 3 || card->key_count > MORPH_KEY_MAX) {
         return validate_refuse(why, "keys: %u, but a species has 3 to %u keys", card->key_count,
@@ -73,7 +73,7 @@ static bool vet_keys(const struct species_card *card, char why[VALIDATE_WHY_SIZE
     for (uint32_t key = 0; key < card->key_count; key++) {
         const float age = card->key_age_days[key];
         const char *name = card->key_names[key];
-        if (!vet_name(why, "key", key, name) ||
+        if (!validate_name(why, "key", key, name) ||
             !validate_number(why, age, 0.0f, AGE_MAX_DAYS, "%s/age_days", name)) {
             return false;
         }
@@ -95,7 +95,7 @@ static bool vet_keys(const struct species_card *card, char why[VALIDATE_WHY_SIZE
     return true;
 }
 
-static bool vet_growth(const struct species_card *card, char why[VALIDATE_WHY_SIZE])
+static bool validate_growth(const struct species_card *card, char why[VALIDATE_WHY_SIZE])
 {
     const struct growth *g = &card->growth;
     if (!validate_number(why, g->length_inf_m, LENGTH_MIN_M, LENGTH_MAX_M, "growth/length_inf_m") ||
@@ -135,7 +135,7 @@ static bool vet_growth(const struct species_card *card, char why[VALIDATE_WHY_SI
     return true;
 }
 
-static bool vet_scale(const struct species_card *card, char why[VALIDATE_WHY_SIZE])
+static bool validate_scale(const struct species_card *card, char why[VALIDATE_WHY_SIZE])
 {
     const uint32_t count = card->scale_knot_count;
     if (count == 1 || count > GRAPH_KNOT_MAX) {
@@ -159,7 +159,7 @@ static bool vet_scale(const struct species_card *card, char why[VALIDATE_WHY_SIZ
     return true;
 }
 
-static bool vet_curves(const struct species_card *card, char why[VALIDATE_WHY_SIZE])
+static bool validate_curves(const struct species_card *card, char why[VALIDATE_WHY_SIZE])
 {
     static const char *const reasons[] = {
         [GRAPH_KNOT_COUNT] = "the number of knots is not allowed",
@@ -176,7 +176,7 @@ static bool vet_curves(const struct species_card *card, char why[VALIDATE_WHY_SI
     for (uint32_t i = 0; i < card->curve_count; i++) {
         const struct graph *graph = &card->curves[i];
         const char *name = card->curve_names[i];
-        if (!vet_name(why, "curve", i, name) ||
+        if (!validate_name(why, "curve", i, name) ||
             !validate_choice(why, graph->line, GRAPH_SMOOTH + 1u, "curve %s/line", name) ||
             !validate_choice(why, graph->solved, 2, "curve %s/solved", name)) {
             return false;
@@ -190,7 +190,7 @@ static bool vet_curves(const struct species_card *card, char why[VALIDATE_WHY_SI
     return true;
 }
 
-static bool vet_coats(const struct species *species, char why[VALIDATE_WHY_SIZE])
+static bool validate_coats(const struct species *species, char why[VALIDATE_WHY_SIZE])
 {
     for (uint32_t key = 0; key < species->card.key_count; key++) {
         const struct species_coat *coat = &species->coats[key];
@@ -226,7 +226,7 @@ bool species_validate(const struct species *species, char why[VALIDATE_WHY_SIZE]
         return validate_refuse(why, "id: the name must have 1 to %u characters a-z, 0-9 and _",
                                SPECIES_NAME_SIZE - 1u);
     }
-    if (!vet_keys(card, why) ||
+    if (!validate_keys(card, why) ||
         !validate_choice(why, card->measure, MEASURE_DISC + 1u, "measure") ||
         !validate_choice(why, card->motion, MOTION_WING + 1u, "motion") ||
         !validate_choice(why, card->form, FORM_PUFFER + 1u, "form")) {
@@ -244,6 +244,6 @@ bool species_validate(const struct species *species, char why[VALIDATE_WHY_SIZE]
         return validate_refuse(why, "thesis template: the species' own graph is not allowed");
     }
     return validate_choice(why, card->thesis_template, TEMPLATE_COUNT, "thesis template") &&
-           vet_growth(card, why) && vet_scale(card, why) && vet_curves(card, why) &&
-           vet_coats(species, why) && validate_meshes(species, why);
+           validate_growth(card, why) && validate_scale(card, why) && validate_curves(card, why) &&
+           validate_coats(species, why) && validate_meshes(species, why);
 }

@@ -18,8 +18,8 @@
 #define U_MAX 4.0f
 #define FRONT_Z (-0.5f)
 
-static bool vet_counts(const struct species_mesh *mesh, const char *lod,
-                       char why[VALIDATE_WHY_SIZE])
+static bool validate_counts(const struct species_mesh *mesh, const char *lod,
+                            char why[VALIDATE_WHY_SIZE])
 {
     const uint32_t vertices = mesh->vertex_count, indices = mesh->index_count;
     return ((vertices >= 4 && vertices <= MESH_VERTEX_MAX) ||
@@ -34,8 +34,8 @@ static bool vet_counts(const struct species_mesh *mesh, const char *lod,
             validate_refuse(why, "%s/reach: %g is not 1, 2 or 4", lod, (double)mesh->reach));
 }
 
-static bool vet_vertex(const struct species_mesh *mesh, uint32_t index, uint32_t curve_count,
-                       const char *lod, char why[VALIDATE_WHY_SIZE])
+static bool validate_vertex(const struct species_mesh *mesh, uint32_t index, uint32_t curve_count,
+                            const char *lod, char why[VALIDATE_WHY_SIZE])
 {
     const struct species_vertex *vertex = &mesh->vertices[index];
     uint32_t sum = 0;
@@ -61,8 +61,8 @@ static bool vet_vertex(const struct species_mesh *mesh, uint32_t index, uint32_t
            validate_choice(why, vertex->side, SIDE_LEFT + 1u, "%s/vertex %u", lod, index);
 }
 
-static bool vet_triangles(const struct species_mesh *mesh, const char *lod,
-                          char why[VALIDATE_WHY_SIZE])
+static bool validate_triangles(const struct species_mesh *mesh, const char *lod,
+                               char why[VALIDATE_WHY_SIZE])
 {
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
         const uint16_t *corner = &mesh->indices[i];
@@ -87,7 +87,8 @@ static bool vet_triangles(const struct species_mesh *mesh, const char *lod,
 
 /* Checks the grid of vertices to which anchors refer. u must increase from ring to ring, and v must
  * increase from 0 to 1 from spoke to spoke. No vertex of the grid may have an anchor. */
-static bool vet_grid(const struct species_mesh *mesh, const char *lod, char why[VALIDATE_WHY_SIZE])
+static bool validate_grid(const struct species_mesh *mesh, const char *lod,
+                          char why[VALIDATE_WHY_SIZE])
 {
     const uint32_t rings = mesh->grid_rings, row = mesh->grid_spokes + 1u;
     if (rings == 0) {
@@ -112,8 +113,8 @@ static bool vet_grid(const struct species_mesh *mesh, const char *lod, char why[
     return true;
 }
 
-static bool vet_anchors(const struct species_mesh *mesh, const struct species_card *card,
-                        const char *lod, char why[VALIDATE_WHY_SIZE])
+static bool validate_anchors(const struct species_mesh *mesh, const struct species_card *card,
+                             const char *lod, char why[VALIDATE_WHY_SIZE])
 {
     for (uint32_t i = 0; i < mesh->anchor_count; i++) {
         const struct species_anchor *anchor = &mesh->anchors[i];
@@ -135,8 +136,8 @@ static bool vet_anchors(const struct species_mesh *mesh, const struct species_ca
  * the vertices in this key, and `name` is the name of the key. The length of the mesh must be 1 in
  * the species' length measure (enum species_measure), because the program multiplies the mesh by
  * the fish's length. The snout must be at z = -0.5. */
-static bool vet_size(const struct species_mesh *mesh, const vec3 *positions, uint8_t measure,
-                     const char *name, const char *lod, char why[VALIDATE_WHY_SIZE])
+static bool validate_size(const struct species_mesh *mesh, const vec3 *positions, uint8_t measure,
+                          const char *name, const char *lod, char why[VALIDATE_WHY_SIZE])
 {
     float front = INFINITY, rear = -INFINITY, left = INFINITY, right = -INFINITY, end = -INFINITY;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
@@ -166,22 +167,22 @@ bool validate_meshes(const struct species *species, char why[VALIDATE_WHY_SIZE])
     for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
         const struct species_mesh *mesh = &species->lod[i];
         const char *lod = lod_names[i];
-        if (!vet_counts(mesh, lod, why)) {
+        if (!validate_counts(mesh, lod, why)) {
             return false;
         }
         for (uint32_t vertex = 0; vertex < mesh->vertex_count; vertex++) {
-            if (!vet_vertex(mesh, vertex, card->curve_count, lod, why)) {
+            if (!validate_vertex(mesh, vertex, card->curve_count, lod, why)) {
                 return false;
             }
         }
-        if (!vet_triangles(mesh, lod, why) || !vet_grid(mesh, lod, why) ||
-            !vet_anchors(mesh, card, lod, why)) {
+        if (!validate_triangles(mesh, lod, why) || !validate_grid(mesh, lod, why) ||
+            !validate_anchors(mesh, card, lod, why)) {
             return false;
         }
         for (uint32_t key = 0; key < card->key_count; key++) {
             morph_key_pose(mesh, card->key_count, key, &pose);
             morph_shape(mesh, card->key_count, &pose, positions, NULL);
-            if (!vet_size(mesh, positions, card->measure, card->key_names[key], lod, why)) {
+            if (!validate_size(mesh, positions, card->measure, card->key_names[key], lod, why)) {
                 return false;
             }
         }

@@ -113,8 +113,8 @@ static int differs(char why[BOOKS_WHY_SIZE], const char *what, int64_t is, int64
     return 1;
 }
 
-static int purse_differs(char why[BOOKS_WHY_SIZE], const struct balance *is,
-                         const struct balance *should)
+static int balance_differs(char why[BOOKS_WHY_SIZE], const struct balance *is,
+                           const struct balance *should)
 {
     return differs(why, "credits that were paid", is->paid, should->paid) ||
            differs(why, "credits by SERVICE", is->service, should->service) ||
@@ -188,7 +188,7 @@ static int file_differs(char why[BOOKS_WHY_SIZE], const struct books_file *is,
 int books_agree(const struct books *books, const struct persistent_state *memory,
                 const struct books_file *file, char why[BOOKS_WHY_SIZE])
 {
-    const int differ = purse_differs(why, &memory->ledger.balance, &books->balance) ||
+    const int differ = balance_differs(why, &memory->ledger.balance, &books->balance) ||
                        round_differs(why, &memory->ledger.stand, &books->stand) ||
                        sums_differ(why, books, &memory->audits) ||
                        settings_differ(why, &memory->settings, &books->settings) ||

@@ -26,7 +26,7 @@ static uint32_t credits(const struct balance *balance)
     return balance->paid + balance->service;
 }
 
-static int is_told_back(const struct books *before, const struct ledger_entry *entry)
+static int is_reported_back(const struct books *before, const struct ledger_entry *entry)
 {
     const uint8_t open = before->balance.open, kind = open & PAYMENT_KIND_MASK;
     const uint32_t count =
@@ -59,7 +59,7 @@ static int opens_well(const struct books *before, uint32_t last_id, char why[BOO
         return refuse(why, "the start is not the first entry, or changed the purse");
     }
     if (was_open && (end->balance.open != PAYMENT_NONE ||
-                     (!is_kept(before, end) && !is_told_back(before, end)))) {
+                     (!is_kept(before, end) && !is_reported_back(before, end)))) {
         return refuse(why, "the round that was open was neither refunded nor kept, or not once");
     }
     uint32_t ends = 0;

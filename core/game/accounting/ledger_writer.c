@@ -173,7 +173,7 @@ static bool open_is_good(int32_t open)
            open != PAYMENT_SPENT;
 }
 
-static bool purse_is_good(const struct balance *balance)
+static bool balance_is_good(const struct balance *balance)
 {
     return balance->units <= PURSE_LIMIT && balance->bonus_units <= PURSE_LIMIT &&
            balance->paid <= PURSE_LIMIT && balance->service <= PURSE_LIMIT &&
@@ -228,7 +228,7 @@ bool ledger_entry_is_valid(const struct ledger_entry *entry)
            entry->minute < DAY_MINUTES && entry->kind > LEDGER_NOTHING &&
            entry->kind < LEDGER_KIND_COUNT &&
            (detail_max[entry->kind] == 0 || entry->detail <= detail_max[entry->kind]) &&
-           value_is_good && purse_is_good(&entry->balance) && name_is_good(entry->name) &&
+           value_is_good && balance_is_good(&entry->balance) && name_is_good(entry->name) &&
            (entry->kind != LEDGER_ROUND || round_is_good) &&
            (entry->kind != LEDGER_STAND || round_standing_is_good(&stand));
 }
@@ -238,7 +238,7 @@ bool ledger_state_is_valid(const struct persistent_state *memory)
     const struct ledger_start *start = &memory->ledger;
     const struct rank_row *rows = &memory->ranking.row[0][0][0];
     bool is_good = start->last_id <= LEDGER_ID_MAX && start->boots <= LEDGER_BOOTS_MAX &&
-                   purse_is_good(&start->balance) && round_standing_is_good(&start->stand);
+                   balance_is_good(&start->balance) && round_standing_is_good(&start->stand);
     for (uint32_t i = 0; i < RANK_BOARD_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
         is_good = is_good && rows[i].slot < POI_MAX && rows[i].round_id <= LEDGER_ID_MAX &&
                   name_is_good(rows[i].name);
@@ -252,14 +252,14 @@ bool ledger_session_is_valid(const struct game_session *session)
     bool is_good = ledger->last_id <= LEDGER_ID_MAX && ledger->saved_id <= ledger->last_id &&
                    ledger->boot <= LEDGER_BOOTS_MAX && ledger->minute < DAY_MINUTES &&
                    ledger->is_healthy <= 1u && ledger->store_came_late <= 1u &&
-                   purse_is_good(&ledger->balance) && purse_is_good(&ledger->committed) &&
-                   session->health_log.is_told <= 1u;
+                   balance_is_good(&ledger->balance) && balance_is_good(&ledger->committed) &&
+                   session->health_log.is_written <= 1u;
     for (uint32_t i = 0; i < LEDGER_RING; i++) {
-        is_good = is_good && purse_is_good(&ledger->after[i]);
+        is_good = is_good && balance_is_good(&ledger->after[i]);
     }
     for (uint32_t i = 0; i < COIN_LINE_COUNT; i++) {
-        const struct pending_coins *untold = &session->credit.pending_coins[i];
-        is_good = is_good && untold->units <= PURSE_LIMIT && untold->owed <= PURSE_LIMIT;
+        const struct pending_coins *pending = &session->credit.pending_coins[i];
+        is_good = is_good && pending->units <= PURSE_LIMIT && pending->owed <= PURSE_LIMIT;
     }
     return is_good;
 }

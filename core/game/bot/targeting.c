@@ -132,17 +132,17 @@ static float cost_of_fish(const struct technique *technique, const struct snapsh
     for (uint32_t i = 0; i < snapshot->rival_count; i++) {
         rivals_s += flat_m(snapshot->rival_m[i], fish->position_m) < RIVAL_M ? RIVAL_S : 0.0f;
     }
-    uint32_t company = 0;
+    uint32_t neighbours = 0;
     for (uint32_t i = 0; i < snapshot->near_count; i++) {
         const struct snapshot_fish *other = &snapshot->near[i];
-        company += other != fish && flat_m(other->position_m, fish->position_m) < COMPANY_M &&
-                   other->position_m.y > fish->position_m.y - 0.5f * TARGETING_UNDER_M;
+        neighbours += other != fish && flat_m(other->position_m, fish->position_m) < COMPANY_M &&
+                      other->position_m.y > fish->position_m.y - 0.5f * TARGETING_UNDER_M;
     }
     CORE_ASSERT(technique->fish_max >= 1);
     const uint32_t wanted = (uint32_t)technique->fish_max - 1u;
     return (technique->hunt == HUNT_CHASE ? 0.0f : hardness_s) +
            LENGTH_S_M * f_abs(fish->length_m - technique->fish_m) + rivals_s +
-           -COMPANY_S * (float)(company < wanted ? company : wanted);
+           -COMPANY_S * (float)(neighbours < wanted ? neighbours : wanted);
 }
 
 /* Returns the cost in seconds of the path `way`: the time of the arm's motion and a penalty for its

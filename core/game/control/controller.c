@@ -30,7 +30,7 @@
 #define WET_BELOW_M 0.020f
 /* Longest total time for which the paper cannot be damaged during several successive returns from
  * an input loss. */
-#define SPARE_TICKS_ALL (2u * FAILSAFE_IMMUNITY_TICKS_MAX)
+#define IMMUNITY_TICKS_ALL (2u * FAILSAFE_IMMUNITY_TICKS_MAX)
 /* Number of ticks of normal control that restore one used tick of damage immunity. */
 #define REFILL_TICKS 8u
 #define REACH_SIDE_M 0.20f   /* Distance beyond the tank walls to which a player's arm can reach. */
@@ -311,7 +311,7 @@ static struct poi_target return_to_hand(struct control *control, const struct ga
     const struct poi_target hand = controller_failsafe_return(control->hand_pose, wanted, ticks);
     const bool is_back = controller_failsafe_is_returned(hand, wanted, ticks);
     world->poi[index].damage_immune = control->was_lost && ticks < FAILSAFE_IMMUNITY_TICKS_MAX &&
-                                      control->immunity_ticks < SPARE_TICKS_ALL;
+                                      control->immunity_ticks < IMMUNITY_TICKS_ALL;
     control->immunity_ticks += world->poi[index].damage_immune;
     control->return_ticks = is_back ? 0u : ticks + 1u;
     control->was_lost &= !is_back;

@@ -178,9 +178,9 @@ struct touch shape_touch_ring(const struct ring *ring, const struct box *box)
     const float off_plane_m = v3_dot(d, ring->normal);
     const vec3 in_plane = v3_muladd(d, ring->normal, -off_plane_m);
     const float in_plane_m = v3_length(in_plane);
-    const float aside_m = in_plane_m - ring->middle_m;
+    const float offset_m = in_plane_m - ring->middle_m;
     const float reach_m = v3_length(box->half_m) + ring->tube_m;
-    if (off_plane_m * off_plane_m + aside_m * aside_m > reach_m * reach_m) {
+    if (off_plane_m * off_plane_m + offset_m * offset_m > reach_m * reach_m) {
         return far;
     }
     const vec3 n = ring->normal;

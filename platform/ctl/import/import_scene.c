@@ -81,7 +81,7 @@ static bool wait_for(pid_t child, int *status)
 /* Returns true if the times of the keyframes increase, and if the weights at each keyframe are at
  * least 0 and have the sum 1, as the deformation graph requires. Sets `*where` to the last checked
  * keyframe. */
-static bool vet_weights(const struct import_mesh *m, uint32_t *where)
+static bool validate_weights(const struct import_mesh *m, uint32_t *where)
 {
     for (uint32_t i = 0; i < m->time_count; i++) {
         float sum = 0.0f;
@@ -143,7 +143,7 @@ const char *import_validate(const struct import_mesh *m, char room[IMPORT_WHY_SI
             return "a triangle refers to a missing vertex";
         }
     }
-    if (!vet_weights(m, &moment)) {
+    if (!validate_weights(m, &moment)) {
         snprintf(room, IMPORT_WHY_SIZE / 2,
                  "the animation's moment %u: a weight is negative, or the sum is not 1", moment);
         return room;

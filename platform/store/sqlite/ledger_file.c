@@ -72,7 +72,7 @@ static int after_commit(void *context, sqlite3 *db, const char *name, int page_c
     return SQLITE_OK;
 }
 
-void ledger_log_distrust(struct ledger_file *file)
+void ledger_log_invalidate(struct ledger_file *file)
 {
     CORE_ASSERT(file->db);
     file->is_suspect = true;

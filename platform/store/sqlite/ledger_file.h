@@ -199,7 +199,7 @@ int ledger_statement(struct ledger_file *file, enum ledger_statement which,
 
 /* ledger_file.c: prevents SQLite from copying the write-ahead log into the database until
  * ledger_log_secure() succeeds. */
-void ledger_log_distrust(struct ledger_file *file);
+void ledger_log_invalidate(struct ledger_file *file);
 /* Returns `code`, the result of a write. If `code` is SQLITE_OK but the checkpoint after the commit
  * failed, returns SQLITE_IOERR. */
 int ledger_log_result(const struct ledger_file *file, int code);

@@ -231,7 +231,7 @@ static int bring_up_to_date(struct ledger_file *file)
 static int ledger_open_begin(struct ledger_file *file, const struct ledger_file_options *how)
 {
     int64_t version = 0;
-    ledger_log_distrust(file);
+    ledger_log_invalidate(file);
     sqlite3_extended_result_codes(file->db, 0);
     sqlite3_busy_timeout(file->db, BUSY_MS);
     if (sqlite3_db_readonly(file->db, "main") == 1) {

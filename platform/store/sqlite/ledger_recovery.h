@@ -44,8 +44,8 @@ struct ledger_mirror ledger_mirror_inspect(const char *path);
 int ledger_mirror_write(struct ledger_mirror *tail, const struct ledger_entry *entries,
                         uint32_t count);
 
-/* Erases the name of the player in slot `player` of the round `round_id`. Returns 0. On an error sets
- * errno and returns -1. The change is on disk only after the next ledger_mirror_write(). */
+/* Erases the name of the player in slot `player` of the round `round_id`. Returns 0. On an error
+ * sets errno and returns -1. The change is on disk only after the next ledger_mirror_write(). */
 int ledger_mirror_erase_name(struct ledger_mirror *tail, uint32_t round_id, uint32_t player);
 
 /* Reads the entry `id`. Returns true if the mirror has the entry with a valid checksum. Returns

@@ -13,7 +13,7 @@
 
 /* A new field of struct balance, struct health or struct player_record also needs a column
  * (ledger_schema.c), code in this file and in ledger_read.c, and a term in ledger_entry_sum(). */
-_Static_assert(sizeof(struct balance) == 24, "a field of the purse is not kept");
+_Static_assert(sizeof(struct balance) == 24, "a field of the balance is not stored");
 _Static_assert(sizeof(struct health) == 12, "a field of the health is not kept");
 _Static_assert(sizeof(struct player_record) == 24, "a field of the player's record is not kept");
 /* A new field of struct rank_row also needs a column (ledger_schema.c) and code in put_ranking()

@@ -192,7 +192,7 @@ static void test_a_quarantined_file_is_counted_until_acknowledged(void **state)
     assert_int_equal(look(&restarted).aside, 4);
 }
 
-static int is_told(struct system_health *machine, uint32_t aside)
+static int is_reported(struct system_health *machine, uint32_t aside)
 {
     struct scene_machine says = { .watch = WATCH_FED };
     /* The interval of the checks is longer than the 5 s of this loop. The test therefore passes
@@ -218,9 +218,9 @@ static void test_the_health_thread_does_all_file_access_of_the_frame_loop(void *
                                             checked yet. */
     assert_int_equal(says.is_checked, 0);
     system_health_start(&machine);
-    assert_true(is_told(&machine, 1));
+    assert_true(is_reported(&machine, 1));
     system_health_acknowledge(&machine);
-    assert_true(is_told(&machine, 0));
+    assert_true(is_reported(&machine, 0));
     /* The test holds the lock, as the thread does from time to time. system_health_read() must
      * return at once and leave the values unchanged. */
     pthread_mutex_lock(&machine.lock);

@@ -35,7 +35,7 @@ static inline uint32_t purse_count(const struct output *out, enum ledger_kind ki
 }
 
 /* Returns 1 if the newest round record and its ledger entry have the same id, otherwise 0. */
-static inline int purse_keeps_record(const struct output *out)
+static inline int entries_keep_record(const struct output *out)
 {
     const struct round_record *record = newest_record(out);
     const struct ledger_entry *entry = purse_entry(out, record->id);

@@ -253,7 +253,7 @@ static void test_the_motor_follows_its_level_and_stops_at_zero(void **state)
     assert_int_equal(number_in("sys/class/pwm/pwmchip0/pwm1/period"), 5000000);
     assert_int_equal(number_in("sys/class/pwm/pwmchip0/pwm1/enable"), 1);
     assert_int_equal(number_in("sys/class/pwm/pwmchip0/pwm1/duty_cycle"), 0);
-    const struct feel_sink sink = motor_sink(&motor);
+    const struct force_sink sink = motor_sink(&motor);
     const struct poi_force blow = { .slap = 0.5f };
     sink.feel(sink.self, &blow, 0.004f);
     /* The motor turns only at a duty of 0.2 or more. The levels from 0 to 1 are therefore mapped to

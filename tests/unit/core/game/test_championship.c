@@ -119,7 +119,7 @@ static void test_the_catch_is_shown_and_stored(void **state)
     const struct player_record *record = &newest_record(&output)->player[0];
     print_message("%u caught by %u scoops, %u fouls\n", record->caught, record->scoops,
                   record->fouls);
-    assert_true(purse_keeps_record(&output));
+    assert_true(entries_keep_record(&output));
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
     assert_int_equal(newest_record(&output)->mode, MODE_CHAMPIONSHIP);
     assert_int_equal(newest_record(&output)->grade, 5);

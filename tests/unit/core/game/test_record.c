@@ -35,7 +35,7 @@ static void test_a_round_leaves_a_record_with_the_id_of_its_entry(void **state)
     land(4);
     steps(ROUND_S * CORE_TICK_HZ);
     const uint32_t first_id = newest_record(&output)->id;
-    assert_true(purse_keeps_record(&output));
+    assert_true(entries_keep_record(&output));
     assert_int_equal(newest_record(&output)->seed, 7);
     assert_int_equal(newest_record(&output)->caught, 4);
     assert_int_equal(newest_record(&output)->by_bot, 0);
@@ -44,7 +44,7 @@ static void test_a_round_leaves_a_record_with_the_id_of_its_entry(void **state)
     press(INPUT_START);
     steps(GAME_READY_TICKS + ROUND_S * CORE_TICK_HZ);
     assert_true(newest_record(&output)->id > first_id);
-    assert_true(purse_keeps_record(&output));
+    assert_true(entries_keep_record(&output));
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 2);
     assert_int_equal(newest_record(&output)->caught, 0);
     /* No fish was caught in the second round, so the best score of the day is still 4. */
@@ -60,7 +60,7 @@ static void test_record_ids_continue_after_those_of_the_store(void **state)
     input.record_saved_id = 41;
     play_into_result();
     assert_true(newest_record(&output)->id > 41);
-    assert_true(purse_keeps_record(&output));
+    assert_true(entries_keep_record(&output));
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
     /* The last entry in the store has the id 41, so the first new entry gets the id 42. */
     assert_int_equal(purse_entry(&output, 42)->id, 42);

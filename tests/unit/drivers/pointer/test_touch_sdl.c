@@ -16,13 +16,13 @@ static struct clock_sim clock_state;
 static struct mouse_poi mouse;
 static struct hal_poi poi;
 
-static int open_pointer(uint32_t heeds)
+static int open_pointer(uint32_t enabled)
 {
     clock_state = (struct clock_sim){ .now_ns = 1000 * MS };
     setenv("SDL_VIDEODRIVER", "dummy", 1);
     SDL_InitSubSystem(SDL_INIT_VIDEO);
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
-    mouse_poi_init(&mouse, sim_clock_device(&clock_state), stall_view(), WIDTH, HEIGHT, heeds);
+    mouse_poi_init(&mouse, sim_clock_device(&clock_state), stall_view(), WIDTH, HEIGHT, enabled);
     poi = mouse_poi_devices(&mouse).poi;
     return poi.ops->open(poi.self);
 }

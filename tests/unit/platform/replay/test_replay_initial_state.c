@@ -69,7 +69,7 @@ static void bring_into_range(struct game_session *session)
     ledger->minute %= 24u * 60u;
     ledger->is_healthy &= 1u;
     ledger->store_came_late &= 1u;
-    session->health_log.is_told &= 1u;
+    session->health_log.is_written &= 1u;
     limit_balance(&ledger->balance);
     limit_balance(&ledger->committed);
     for (uint32_t i = 0; i < LEDGER_RING; i++) {
