@@ -12,12 +12,12 @@ void disk_grow(struct disk_file *file, size_t size);
 
 /* Returns 1 if the operation creates, renames or deletes a file. */
 int disk_is_of_names(const struct tape_op *op);
-/* Applies an operation that creates, renames or deletes a file to the durable names. */
+/* Changes the durable names as `op` requires. `op` must create, rename or delete a file. */
 void disk_apply_names(struct disk *disk, const struct tape_op *op);
 
 /* Returns 1 if the operation writes or truncates a file. */
 int disk_is_of_bytes(const struct tape_op *op);
-/* Applies a write or a truncation to the bytes of `file`. */
+/* Changes the bytes of `file` as `op` requires. `op` must be a write or a truncation. */
 void disk_apply_bytes(const struct tape *tape, const struct tape_op *op, struct disk_file *file);
 
 #endif

@@ -22,7 +22,8 @@ struct lives {
     uint32_t count, seed, jobs;
 };
 
-/* Simulates all lives and adds the results to `sum`. Returns 0, or -1 if a worker process died. */
+/* Simulates the lives of all kiosks and adds the results to `sum`. Returns 0, or -1 if a worker
+ * process died. */
 int lives_run(const struct lives *lives, struct lives_tally *sum);
 
 #endif

@@ -254,7 +254,7 @@ static void test_values_of_any_size_are_read_at_any_bit_offset(void **state)
     assert_true(hid_report_is_whole(&read_in, report));
     assert_int_equal(hid_field_value(&read_in, &read_in.group[0], 0, report), 5);
     assert_true(hid_field_value(&read_in, &read_in.group[1], 0, report) == -0x80000000ll);
-    /* Only the lowest 32 bits of the field of 64 bits are returned. */
+    /* Of the field with 64 bits, hid_field_value() returns only the lowest 32 bits. */
     assert_true(hid_field_value(&read_in, &read_in.group[2], 0, report) == -0x3579bc01ll);
     assert_int_equal(hid_field_value(&read_in, &read_in.group[3], 0, report), -1);
 }

@@ -102,7 +102,7 @@ static void test_a_stored_mapping_is_loaded_after_a_restart(void **state)
     assert_int_equal(open_book(), 0);
     assert_null(hid_mapping_store_find(&store, &who));
     assert_int_equal(keep(&who, &map), HAL_OK);
-    /* The store returns the mapping already before it is written to the file. */
+    /* The store must return the mapping even before the mapping is written to the file. */
     assert_non_null(hid_mapping_store_find(&store, &who));
     hid_mapping_store_close(&store);
     assert_int_equal(store.written_count, 1);
