@@ -1,5 +1,5 @@
 /* fuzz_obj.c -- fuzz target: arbitrary text as an OBJ file. An accepted mesh becomes a species:
- * every shape key gets the mesh itself, and the last shape key gets the mesh slightly stretched. */
+ * every key shape gets the mesh itself, and the last key shape gets the mesh slightly stretched. */
 #include <unistd.h>
 
 #include "platform/ctl/import/refit.h"

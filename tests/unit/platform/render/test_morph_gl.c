@@ -1,8 +1,8 @@
 /* test_morph_gl.c -- Compares the fish shapes that the vertex shader computes with those of
  * morph_shape() on the CPU.
  *
- * The test covers every built-in species, both levels of detail, every shape key, nine ages between
- * two shape keys, and all kinds of morph graphs. OpenGL's transform feedback returns the vertices
+ * The test covers every built-in species, both levels of detail, every key shape, nine ages between
+ * two key shapes, and all kinds of morph graphs. OpenGL's transform feedback returns the vertices
  * of the shader. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -238,7 +238,7 @@ static void test_a_uniform_block_for_one_fish_gives_the_shape_of_the_cpu(void **
     follow_all(false);
 }
 
-/* The shader supports eight shape keys, but no built-in species has more than five. The test makes
+/* The shader supports eight key shapes, but no built-in species has more than five. The test makes
  * eight keys from those of the wakin (a goldfish), and shifts each key by a different amount. An
  * error in the data of any key thus changes the shape. */
 static void test_eight_keys_are_blended_each_by_its_own_weight(void **state)
@@ -256,7 +256,7 @@ static void test_eight_keys_are_blended_each_by_its_own_weight(void **state)
         }
         eight.points[key] = moved[key];
     }
-    eight.anchor_count = 0; /* The anchors of the mesh belong to its five original shape keys, so
+    eight.anchor_count = 0; /* The anchors of the mesh belong to its five original key shapes, so
                                the test removes them. */
     static struct species_vertex free[MESH_VERTEX_MAX];
     for (uint32_t i = 0; i < eight.vertex_count; i++) {

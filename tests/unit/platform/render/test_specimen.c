@@ -65,7 +65,7 @@ static void test_the_axes_of_a_rotated_specimen_stay_orthogonal(void **state)
     assert_float_equal(v3_length(square), 0.0f, 1e-5f);
 }
 
-/* In every shape key, all vertices must be inside the box, and the fish must fill the box in width
+/* In every key shape, all vertices must be inside the box, and the fish must fill the box in width
  * or height. */
 static void test_a_fitted_fish_fills_its_box_at_every_age(void **state)
 {

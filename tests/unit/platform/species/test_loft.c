@@ -25,7 +25,7 @@ static const struct loft *lofted(const char *head, const char *more, const char 
     return &loft;
 }
 
-/* Returns the size of a shape key. The size is computed from the mesh alone, as the species defines
+/* Returns the size of a key shape. The size is computed from the mesh alone, as the species defines
  * it (for example as total length), and must be 1. */
 static float measured(const struct species *s, const vec3 *at, const struct species_mesh *mesh)
 {

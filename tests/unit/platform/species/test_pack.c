@@ -210,7 +210,7 @@ static void harm_negative(struct species_slot *s)
 static void harm_solved(struct species_slot *s)
 {
     /* Marks an ordinary morph graph as computed (solved). The marked graph is invalid, because it
-     * gives weights only to the first and the last shape key. */
+     * gives weights only to the first and the last key shape. */
     struct graph *graph = &card_of(s)->curves[0];
     graph_from_template(graph, TEMPLATE_ORDINARY, card_of(s)->key_count, SIMULTANEOUS_PEAK);
     graph->solved = 1;
@@ -274,7 +274,7 @@ static void harm_size(struct species_slot *s)
     }
 }
 
-/* ---- Growth: the age and length of each shape key must match the growth curve ---------------- */
+/* ---- Growth: the age and length of each key shape must match the growth curve ---------------- */
 
 static void harm_late(struct species_slot *s)
 {
@@ -372,12 +372,12 @@ static void harm_anchor_place(struct species_slot *s)
     s->tables[0].anchors[0].u[2] = NAN;
 }
 
-/* ---- Size: the size of each shape key must be 1 -----------------------------------------------
+/* ---- Size: the size of each key shape must be 1 -----------------------------------------------
  *
- * The species defines how the size of a shape key is measured (enum species_measure). The functions
+ * The species defines how the size of a key shape is measured (enum species_measure). The functions
  * below change the size of the last key and keep its snout in place. */
 
-/* Multiplies the last shape key by `along` in length, from the snout backwards, and by `across` in
+/* Multiplies the last key shape by `along` in length, from the snout backwards, and by `across` in
  * width. */
 static void stretch(struct species_slot *s, float along, float across)
 {
@@ -527,14 +527,14 @@ static void test_too_large_counts_are_rejected_before_reading(void **state)
     (void)state;
     const size_t size = packed_wakin();
     assert_int_equal(bytes[HEAD_SIZE + SPECIES_NAME_SIZE], species_wakin.card.key_count);
-    /* The byte behind the id is the number of shape keys. */
+    /* The byte behind the id is the number of key shapes. */
     bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 255;
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
     assert_string_equal(why, "crc: the checksum is wrong, so the file is damaged");
     mend_crc(size);
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
     assert_string_equal(why, "keys: more than a species may have");
-    /* With fewer shape keys than the file contains, all following data are read at wrong
+    /* With fewer key shapes than the file contains, all following data are read at wrong
      * positions. */
     bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 3;
     mend_crc(size);

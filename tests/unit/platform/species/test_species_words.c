@@ -11,7 +11,7 @@ static const char *with_head(const char *more)
     return text;
 }
 
-/* Returns a valid species text with the lines `more` added to its first shape key. */
+/* Returns a valid species text with the lines `more` added to its first key shape. */
 static const char *with_key(const char *more)
 {
     static char text[TEXT_SIZE];

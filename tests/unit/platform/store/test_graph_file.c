@@ -84,7 +84,7 @@ static void test_a_graph_is_read_bit_for_bit(void **state)
     assert_memory_equal(&back, &record.edit, sizeof back);
 }
 
-/* Formats the largest morph graph: every knot has the weights of eight shape keys, and each number
+/* Formats the largest morph graph: every knot has the weights of eight key shapes, and each number
  * has the maximum number of digits. */
 static void test_the_longest_graph_fits_its_text_buffer(void **state)
 {
@@ -201,7 +201,7 @@ static void test_each_graph_error_is_reported_with_its_line(void **state)
     char *solved = strstr(text, "solved 0");
     solved[7] = '1';
     /* The graph is now marked as computed (solved). For such a graph it is an error that the second
-     * shape key has nearly no weight at any age. */
+     * key shape has nearly no weight at any age. */
     assert_int_equal(parse(text, &edit, why), 0);
     snprintf(head, sizeof head, "the key '%s' is hardly seen", card->key_names[1]);
     assert_non_null(strstr(why, head));

@@ -91,7 +91,7 @@ static void shape_keys(const struct species *species)
 }
 
 /* Returns the largest distance from a vertex of the species to the nearest imported vertex of the
- * same part. The distance of two vertices is the largest of their distances in all shape keys. */
+ * same part. The distance of two vertices is the largest of their distances in all key shapes. */
 static float farthest_vertex(const struct species *species)
 {
     const struct species_mesh *ours = &species->lod[0], *theirs = &slot.species.lod[0];
@@ -113,7 +113,7 @@ static float farthest_vertex(const struct species *species)
 
 /* ---- Tests of OBJ files --------------------------------------------------------------------- */
 
-/* Writes one shape key as an OBJ file, as another program would: with other axes, another unit,
+/* Writes one key shape as an OBJ file, as another program would: with other axes, another unit,
  * triangles, and one group per part. `turn` 0 uses Kingyo's axes, `turn` 1 points the nose to +x,
  * and `turn` 2 points the back to +z. */
 static void write_obj(const struct species *species, uint32_t key, const char *path, int turn,

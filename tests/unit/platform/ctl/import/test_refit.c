@@ -65,7 +65,7 @@ static void shape_of(const struct species_mesh *body, uint32_t key_count, uint32
     morph_shape(body, key_count, &pose, out, NULL);
 }
 
-/* Fills `mesh` with the shape key `key` of `other`, as if another program had exported it. Every
+/* Fills `mesh` with the key shape `key` of `other`, as if another program had exported it. Every
  * third vertex is moved off the surface by up to `noise` body lengths, as in a 3D scan. */
 static void make_mesh(uint32_t key, float noise)
 {
@@ -106,7 +106,7 @@ static void tell(const char *what, const struct refit_error *e)
                   100.0 * (double)e->rms, 100.0 * (double)e->max);
 }
 
-/* Fits the youngest shape key (a fry) to the surface of the adult. Each vertex must end near its
+/* Fits the youngest key shape (a fry) to the surface of the adult. Each vertex must end near its
  * true position in the adult. */
 static void test_fitting_a_fry_to_the_adult_finds_each_vertex(void **state)
 {

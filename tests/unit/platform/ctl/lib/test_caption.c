@@ -179,7 +179,7 @@ static void test_three_keys_are_red_green_and_blue(void **state)
     }
 }
 
-/* In pictures, each shape key of a fish has its own colour. The first key has the same colour for
+/* In pictures, each key shape of a fish has its own colour. The first key has the same colour for
  * any number of keys, and the last key for any number up to 6. */
 static void test_the_first_key_is_red_and_each_key_has_its_own_colour(void **state)
 {
@@ -195,7 +195,7 @@ static void test_the_first_key_is_red_and_each_key_has_its_own_colour(void **sta
             assert_int_equal(key_colour(count, count - 1u), key_colour(3, 2));
         }
     }
-    /* The middle one of five shape keys has the same colour as the middle one of three. */
+    /* The middle one of five key shapes has the same colour as the middle one of three. */
     assert_int_equal(key_colour(5, 2), key_colour(3, 1));
 }
 

@@ -113,7 +113,7 @@ static void test_a_piece_has_one_part_one_side_and_a_unique_name(void **state)
     }
 }
 
-/* For a graph that shows only one shape key, the vertex colours must be valid. The vertices of the
+/* For a graph that shows only one key shape, the vertex colours must be valid. The vertices of the
  * eyes must have the colours that paint_at() computes. */
 static void test_vertex_colours_match_the_surrounding_texture(void **state)
 {
@@ -139,7 +139,7 @@ static void test_vertex_colours_match_the_surrounding_texture(void **state)
     }
 }
 
-/* This fish has eight shape keys that are much taller than long, so a sheet with all of them would
+/* This fish has eight key shapes that are much taller than long, so a sheet with all of them would
  * be very large. The size of the picture must be limited. */
 static void test_the_sheet_size_is_limited_for_a_very_tall_fish(void **state)
 {

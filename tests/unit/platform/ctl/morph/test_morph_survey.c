@@ -94,8 +94,8 @@ static void test_a_key_with_a_remaining_second_weight_is_detected(void **state)
     (void)state;
     struct graph *graph = &rig.curves[0];
     const uint32_t last = graph->knot_count - 1u;
-    /* At the end of growth, the graph gives a small weight to shape key 0 in addition to the full
-     * weight of the last shape key. */
+    /* At the end of growth, the graph gives a small weight to key shape 0 in addition to the full
+     * weight of the last key shape. */
     graph->knots[last].weight[0] = 1e-3f;
     measure();
     assert_true(survey.key_error.value > 1e-5f);
@@ -122,7 +122,7 @@ static void test_a_triangle_with_reversed_winding_is_detected(void **state)
     assert_true(survey.flipped_at == 0.0f);
 }
 
-/* Mirrors the dorsal fin in the last shape key, so that the fin flips between the last two shape
+/* Mirrors the dorsal fin in the last key shape, so that the fin flips between the last two shape
  * keys. */
 static void test_a_fin_that_flips_is_detected(void **state)
 {
@@ -204,7 +204,7 @@ static void test_a_fin_tip_inside_the_body_is_detected(void **state)
     assert_int_equal(survey.fin_in_body.vertex, tip);
 }
 
-/* The graph leads from the middle shape key to key 0 and back to the middle one. Key 0 is changed
+/* The graph leads from the middle key shape to key 0 and back to the middle one. Key 0 is changed
  * to half the width of the middle one, so the fish becomes thinner between two equal shapes. */
 static void test_a_stage_thinner_than_both_keys_is_detected(void **state)
 {
@@ -258,16 +258,16 @@ static void test_key_ages_out_of_order_are_detected(void **state)
     assert_int_equal(survey.moments_not_older, 0);
     assert_true(survey.off_growth.value < 0.02f);
     assert_true(survey.progress_lost.value < 1e-3f && survey.length_lost.value < 1e-3f);
-    /* Sets shape key 3 to almost the same age as shape key 2. */
+    /* Sets key shape 3 to almost the same age as key shape 2. */
     fish.card.key_age_days[3] = nextafterf(fish.card.key_age_days[2], 1e6f);
     measure();
-    /* Four of the five samples between the two shape keys show no rise of the age. */
+    /* Four of the five samples between the two key shapes show no rise of the age. */
     assert_int_equal(survey.moments_not_older, 4);
     assert_float_equal(survey.age_stands_at, 0.55f, 1e-6f);
     assert_true(survey.progress_lost.value > 0.1f);
 }
 
-/* In shape key 3 the fish has a length of 45 mm. The test sets the age of this key to 200 days, at
+/* In key shape 3 the fish has a length of 45 mm. The test sets the age of this key to 200 days, at
  * which the growth curve gives 73.6 mm. */
 static void test_a_key_off_the_growth_curve_is_detected(void **state)
 {

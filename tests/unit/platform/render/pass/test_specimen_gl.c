@@ -232,7 +232,7 @@ static void test_a_changed_species_in_the_same_memory_is_repainted(void **state)
     straight.edition = 0;
     straight.progress = (float)species_table[2]->card.thesis_key[2] /
                         (float)(species_table[2]->card.key_count - 1u);
-    picture(pictures[0], &straight, 0.3f); /* At a shape key, the linear morph has the same shape as
+    picture(pictures[0], &straight, 0.3f); /* At a key shape, the linear morph has the same shape as
                                               the species. */
     uint32_t off = 0;
     for (uint32_t i = 0; i < SIZE; i++) {
@@ -243,7 +243,7 @@ static void test_a_changed_species_in_the_same_memory_is_repainted(void **state)
     assert_true(off < SIZE / 200u);
 }
 
-/* Reads the texture of each shape key from the GPU. Compares each texel with paint_at(), which
+/* Reads the texture of each key shape from the GPU. Compares each texel with paint_at(), which
  * computes the colours on the CPU. */
 static void test_the_texture_of_a_key_matches_paint_at(void **state)
 {
@@ -330,7 +330,7 @@ static const struct fish_texture *skin_of(const struct species *species)
     return NULL;
 }
 
-/* Draws a page with one large fish and a thumbnail of each shape key, as the lab does. */
+/* Draws a page with one large fish and a thumbnail of each key shape, as the lab does. */
 static void draw_page(const struct species *species)
 {
     const struct specimen fish = fish_of(species, 0.37f);
@@ -361,7 +361,7 @@ static uint32_t bands_to_fine(const struct species *species)
 }
 
 /* The large fish needs the two textures for its age. Until both are fine, the textures of other
- * shape keys must not be refined. */
+ * key shapes must not be refined. */
 static void test_the_visible_texture_is_refined_first(void **state)
 {
     (void)state;

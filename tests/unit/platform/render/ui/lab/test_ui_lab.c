@@ -204,7 +204,7 @@ static void test_an_unknown_species_has_a_graph_and_no_fish(void **state)
 }
 
 /* The recorded species was in a slot of the library. The slot now has the same species (`other` is
- * 0), another species (1), or a species with the same id and another number of shape keys (2). Only
+ * 0), another species (1), or a species with the same id and another number of key shapes (2). Only
  * in the first case may the fish be drawn. */
 static void test_only_the_recorded_species_is_shown(void **state)
 {
