@@ -251,6 +251,22 @@ static void record_tears(struct core *core, const uint8_t live[POI_MAX])
     }
 }
 
+/* Announces the near misses of the players in a round. */
+static void watch_near_misses(struct core *core, const uint8_t live[POI_MAX],
+                              const struct catch_result caught[POI_MAX], struct output *output)
+{
+    const struct tank *tank = &core->world.tank;
+    for (uint32_t i = 0; i < POI_MAX && core->game.phase == PHASE_ROUND; i++) {
+        const struct poi *poi = &core->world.poi[i];
+        const bool plays = live[i] && !core->game.paused && !parking_is_parked(&core->game, i);
+        if (plays && near_miss_tick(&core->world.near_miss[i], poi, tank, caught[i].slipped,
+                                    core->game.tick)) {
+            const float pan = 2.0f * poi->position_m.x / tank->size_m.x;
+            output_sound(output, SOUND_MISS, 0.6f, f_clamp(pan, -1.0f, 1.0f));
+        }
+    }
+}
+
 /* Writes the force feedback after the wall and fish contacts of this tick. catch_tick() runs later
  * and may add impacts. Those impacts take effect in the next tick, as force and as load on the
  * paper. */
@@ -284,6 +300,7 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
     record_tears(core, live);
     write_poi_forces(core, live, output);
     tick_catch(core, live, caught, output);
+    watch_near_misses(core, live, caught, output);
     game_score(core->game.player, &core->game.album, &core->game, &core->world, caught, output);
     core->game.tick++;
     if (session_is_over(&core->game)) {

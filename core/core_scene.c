@@ -162,6 +162,7 @@ static void show_players(const struct core *core, struct scene *scene)
         const struct player *player = &core->game.player[i];
         const bool in_round = core->game.phase == PHASE_ROUND;
         const struct leaderboard_place place = leaderboard_best_place(&core->game, (uint8_t)i);
+        const uint32_t miss_tick = in_round ? core->world.near_miss[i].tick : 0;
         scene->caught[i] = player->caught;
         scene->player[i] = (struct scene_player){
             .plays = player->plays,
@@ -176,6 +177,7 @@ static void show_players(const struct core *core, struct scene *scene)
             .place = place.place,
             .period = place.period,
             .level = player->level,
+            .miss_s = miss_tick == 0 ? 0.0f : (float)(core->game.tick - miss_tick) * CORE_TICK_S,
             .has_present = core->game.phase == PHASE_RESULT && album_has_present(&core->game, i),
         };
         lesson_show(&core->lessons, &core->game, &core->world, i, &scene->lesson[i]);

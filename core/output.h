@@ -30,6 +30,7 @@ enum sound {
     SOUND_CHOOSE, /* The selection moves to another mode. */
     SOUND_COIN,   /* A coin was accepted. */
     SOUND_CREAK,  /* The paper creaks before it tears. */
+    SOUND_MISS,   /* A player almost caught a fish. */
     SOUND_COUNT,
 };
 

@@ -338,6 +338,7 @@ struct scene {
         float x, y;       /* In PHASE_MODE_SELECT: position of the pointer on the canvas. */
         /* In RESULT: 1 if the player caught no fish and gets one as a present, otherwise 0. */
         uint8_t has_present;
+        float miss_s; /* In ROUND: seconds since the latest near miss; 0 means none. */
     } player[POI_MAX];
     struct scene_tear tear[POI_MAX];
     struct scene_lesson lesson[POI_MAX];

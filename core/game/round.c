@@ -40,6 +40,7 @@ void round_ready_begin(struct game *game, struct world *world, const struct core
     }
     game->album = (struct album){ 0 };
     memset(world->tear_clip, 0, sizeof world->tear_clip);
+    memset(world->near_miss, 0, sizeof world->near_miss);
     table_setup_empty_bowls(world);
     table_setup_prepare(game->control, game, world, config, table_setup_preset(config, game->mode));
     game_enter_phase(game, PHASE_READY);

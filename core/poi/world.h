@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/poi/bowl/bowl.h"
+#include "core/poi/catch/near_miss.h"
 #include "core/poi/poi.h"
 #include "core/poi/tear_clip.h"
 #include "core/tank/tank.h"
@@ -16,4 +17,5 @@ struct world {
     struct poi poi[POI_MAX];
     struct bowl bowl[POI_MAX];
     struct tear_clip tear_clip[POI_MAX]; /* Recording of each poi in the present round. */
+    struct near_miss near_miss[POI_MAX]; /* Near misses of each poi in the present round. */
 };

@@ -135,6 +135,7 @@ static bool advance_fall(const struct scoop *scoop, struct carried_fish *carried
         output_sound(scoop->output, SOUND_CATCH, 0.9f, scoop->pan);
         return true;
     case FALL_INTO_WATER:
+        scoop->results[scoop->poi_index].slipped += carried->clear_ticks >= CARRIED_CLEAR_TICKS;
         output_sound(scoop->output, SOUND_DIP, 0.3f, scoop->pan);
         return true;
     default:

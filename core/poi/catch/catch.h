@@ -23,6 +23,9 @@ struct catch_result {
     uint32_t walled;
     /* All fish that fell into this player's bowl, from any poi and for any cause. */
     uint32_t bowled;
+    /* Fish that fell from this player's poi into the water after the whole ring had been above the
+     * water with the fish on it. */
+    uint32_t slipped;
 };
 
 /* Returns true if fish number `fish` lies on the poi or is falling from the poi. */

@@ -4,8 +4,6 @@
 #include "core/base/panic.h"
 #include "platform/render/ui/ui_widgets.h"
 
-/* Time in seconds for which the number of caught fish is enlarged after a catch. */
-#define POP_S 0.45f
 #define PLATE_WIDTH 200.0f
 #define PLATE_WIDTH_MIN 152.0f
 /* Width in layout units from which a plate has room for the picture of the player's level. */
@@ -37,15 +35,6 @@ uint32_t ui_first_player(const struct scene *scene)
         }
     }
     return 0;
-}
-
-float ui_catch_pop(const struct ui_frame *frame, uint32_t player)
-{
-    CORE_ASSERT(player < POI_MAX);
-    const struct ui_memory *const memory = frame->memory;
-    const uint32_t age = frame->scene->tick - memory->caught_tick[player];
-    return memory->caught[player] > 0 ? 1.0f - f_smoothstep(0.0f, POP_S, (float)age * CORE_TICK_S)
-                                      : 0.0f;
 }
 
 void ui_player_mark(const struct ui_frame *frame, float x, float y, float radius, uint32_t player)
@@ -88,7 +77,7 @@ static void plate(const struct ui_frame *frame, uint32_t player, struct ui_box b
     ui_number_at(frame,
                  ui_style(frame, FONT_STALL, 38.0f + 8.0f * ui_catch_pop(frame, player), 0.0f,
                           0xfff8eaffu, box.width - (shows_level ? 147.0f : 112.0f) * u),
-                 box.x + 58.0f * u, y, frame->scene->caught[player]);
+                 box.x + 58.0f * u, y, ui_catch_shown(frame, player));
     /* The right part of the plate shows either the player's paper or the reason why the player does
      * not play. `out` is set for a player who is out of the round, and also for a player whose
      * waiting time has expired. */
@@ -115,6 +104,7 @@ static void plate(const struct ui_frame *frame, uint32_t player, struct ui_box b
         ui_foul_lamps(frame, box.x + 28.0f * u, box.y + box.height - 15.0f * u, 7.0f * u, 20.0f * u,
                       state->fouls);
     }
+    ui_catch_flights(frame, player, box.x + 76.0f * u, y);
 }
 
 float ui_player_plates(const struct ui_frame *frame, float right_px)

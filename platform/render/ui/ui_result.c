@@ -125,8 +125,8 @@ static void ranked(const struct ui_frame *frame, uint32_t player, uint32_t place
              ui_fade(ui_player_colours[player], place == 0 ? 0.42f : 0.20f),
              ui_fade(ui_player_colours[player], place == 0 ? 1.0f : 0.5f));
     const struct ui_text digits = ui_style(frame, FONT_STALL, 44.0f, 1.0f, UI_INK, 150.0f * u);
-    ui_text_at(frame, ui_style(frame, FONT_STALL, 36.0f, 0.0f, UI_INK, 0.0f), row.x + 24.0f * u, y,
-               words);
+    ui_text_at(frame, ui_style(frame, FONT_STALL, 36.0f, 0.0f, UI_INK, 92.0f * u),
+               row.x + 24.0f * u, y, words);
     ui_player_mark(frame, row.x + 148.0f * u, y, 22.0f * u, player);
     ui_fish_sign(frame, row.x + 226.0f * u, y, 74.0f * u);
     const float digits_x = row.x + 428.0f * u;

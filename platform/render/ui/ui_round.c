@@ -123,12 +123,14 @@ void ui_umpire(const struct ui_frame *frame)
                        (enum text_key)keys[scene->call]);
     }
     /* During the countdown the first flag is below the digits, and further flags are above the
-     * first flag. */
-    const bool counts_down = scene->phase == PHASE_READY;
-    float y = (counts_down ? 0.72f : 0.47f) * frame->height;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
+     * first flag. The result has room for one flag, below its card. */
+    const bool counts_down = scene->phase == PHASE_READY, is_result = scene->phase == PHASE_RESULT;
+    float y = (is_result ? 0.76f : counts_down ? 0.72f : 0.47f) * frame->height;
+    bool is_full = false;
+    for (uint32_t i = 0; i < POI_MAX && !is_full; i++) {
         const float height = foul_flag(frame, i, y);
         y += counts_down ? -height : height;
+        is_full = is_result && height > 0.0f;
     }
 }
 
@@ -140,7 +142,7 @@ static void caught_plate(const struct ui_frame *frame, uint32_t player)
     const float u = frame->unit, left = 18.0f * u, top = 16.0f * u, height = 88.0f * u;
     const float pop = ui_catch_pop(frame, player), y = top + 0.5f * height;
     char number[12];
-    snprintf(number, sizeof number, "%u", frame->scene->caught[player]);
+    snprintf(number, sizeof number, "%u", ui_catch_shown(frame, player));
     struct ui_text digits = ui_style(frame, FONT_STALL, 68.0f, 0.0f, 0xfff8eaffu, 0.0f);
     const struct ui_text unit = ui_style(frame, FONT_STALL, 34.0f, 0.0f, UI_GOLD, 0.0f);
     const char *words = ui_words(frame, TEXT_UNIT);
@@ -161,6 +163,7 @@ static void caught_plate(const struct ui_frame *frame, uint32_t player)
     digits.align = 0.5f;
     ui_text_at(frame, digits, number_x + 0.5f * number_width, y, number);
     ui_text(frame->batch, unit, unit_x, baseline, words);
+    ui_catch_flights(frame, player, left + 58.0f * u, y);
 }
 
 static bool is_long(const struct scene *scene)
@@ -271,6 +274,7 @@ void ui_round(const struct ui_frame *frame)
         }
         state_plate(frame, player, true);
     }
+    ui_near_misses(frame);
     ui_bowl_marks(frame, 1.0f - f_smoothstep(BOWL_MARKS_S - 0.5f, BOWL_MARKS_S, scene->phase_s));
     bool shows_stress = false;
     for (uint32_t i = 0; i < POI_MAX; i++) {

@@ -17,17 +17,14 @@ void ui_screens_notice(struct ui_memory *memory, const struct scene *scene)
         memory->hint = scene->hint;
         memory->hint_tick = scene->tick;
     }
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (scene->caught[i] != memory->caught[i]) {
-            memory->caught[i] = scene->caught[i];
-            memory->caught_tick[i] = scene->tick;
-        }
-    }
+    ui_catch_notice(memory, scene);
     if (scene->pointed_tags != memory->pointed) {
         memory->pointed_before = memory->pointed;
         memory->pointed = scene->pointed_tags;
         memory->pointed_tick = scene->tick;
     }
+    memory->phase = scene->phase;
+    memory->tick = scene->tick;
 }
 
 /* Draws the ribbon of a score playback over all other drawings. The ribbon shows the round and

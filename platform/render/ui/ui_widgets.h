@@ -69,9 +69,18 @@ uint32_t ui_first_player(const struct scene *scene);
  * that only the slots with a bowl are counted. */
 uint32_t ui_bowl_count(const struct scene *scene);
 
+/* Records the numbers of caught fish of `scene`. A fish that is caught in a round leaves the bowl
+ * for the counter in this tick. */
+void ui_catch_notice(struct ui_memory *memory, const struct scene *scene);
+/* Returns the number of a player's caught fish that have arrived at the counter. */
+uint32_t ui_catch_shown(const struct ui_frame *frame, uint32_t player);
 /* Returns the strength of the emphasis on a player's number of caught fish, [0, 1]. The strength is
- * 1 immediately after a catch, and decreases to 0. */
+ * 1 immediately after a fish has arrived at the counter, and decreases to 0. */
 float ui_catch_pop(const struct ui_frame *frame, uint32_t player);
+/* Draws the fish of a player that fly from the bowl to the counter, which is at (x, y). */
+void ui_catch_flights(const struct ui_frame *frame, uint32_t player, float x, float y);
+/* Draws a word over each poi that has just missed a fish narrowly. */
+void ui_near_misses(const struct ui_frame *frame);
 
 /* Draws a player's number on a disc of the player's colour, centred at (x, y). */
 void ui_player_mark(const struct ui_frame *frame, float x, float y, float radius, uint32_t player);

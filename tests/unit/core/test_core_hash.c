@@ -258,6 +258,7 @@ static void test_overwritten_scratch_memory_does_not_change_the_hash(void **stat
     memset(&twin.world.tank.broad_phase, 0x5a, sizeof twin.world.tank.broad_phase);
     memset(&twin.world.tank.solver, 0x5a, sizeof twin.world.tank.solver);
     memset(&twin.world.tear_clip, 0x5a, sizeof twin.world.tear_clip);
+    memset(&twin.world.near_miss, 0x5a, sizeof twin.world.near_miss);
     for (uint32_t i = 0; i < 100; i++) {
         core_tick(&core, &input, &output);
         core_tick(&twin, &input, &output);

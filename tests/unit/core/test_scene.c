@@ -295,6 +295,7 @@ static void test_announcements_and_fouls_are_shown_with_their_age(void **state)
     core.game.player[2].fouls = 2;
     core.game.player[2].foul = FOUL_WALL;
     core.game.player[2].foul_tick = 960;
+    core.world.near_miss[2].tick = 1140;
     core_scene(&core, &scene);
     assert_int_equal(scene.call, CALL_ONE_MINUTE);
     assert_float_equal(scene.call_s, 1.0f, 1e-5f);
@@ -302,6 +303,8 @@ static void test_announcements_and_fouls_are_shown_with_their_age(void **state)
     assert_int_equal(scene.player[2].fouls, 2);
     assert_int_equal(scene.player[2].foul, FOUL_WALL);
     assert_float_equal(scene.player[2].foul_s, 2.0f, 1e-5f);
+    assert_float_equal(scene.player[2].miss_s, 0.5f, 1e-5f);
+    assert_float_equal(scene.player[1].miss_s, 0.0f, 0.0f);
     assert_int_equal(scene.player[1].plays, 0);
     assert_int_equal(scene.player[1].foul, FOUL_NONE);
 }

@@ -55,6 +55,7 @@ static inline void set_scene(uint8_t phase, uint8_t language, uint8_t hint, floa
     memset(&scene, 0, sizeof scene);
     scene.tick = SETTLED_TICK + (uint32_t)(phase_s * 120.0f);
     scene.phase = phase;
+    scene.view = (struct view){ .eye_m = v3(0.0f, 1.0f, 0.1f), .half_height_tan = 0.5f };
     scene.language = language;
     scene.hint = hint;
     scene.phase_s = phase_s;
@@ -90,6 +91,8 @@ static inline void set_match(uint8_t mode, uint32_t players, uint8_t variant)
         scene.player[i].fouls = (uint8_t)((variant + i) % (FOUL_MAX + 1u));
         scene.player[i].foul = (uint8_t)((variant + i) % FOUL_COUNT);
         scene.player[i].foul_s = 0.3f * (float)(variant % 10u);
+        scene.player[i].miss_s = variant % 3u == 2u ? 0.1f * (float)(variant % 13u) : 0.0f;
+        scene.poi[i].position_m = v3(0.2f * (float)variant - 2.0f, 0.05f, 0.4f * (float)i - 0.6f);
         scene.player[i].lost = (variant + i) % 3u == 0;
         scene.player[i].out = (variant + i) % 4u == 1;
     }

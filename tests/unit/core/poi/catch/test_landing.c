@@ -250,6 +250,7 @@ static void test_a_fish_that_misses_the_mouth_slides_off_the_hull_into_the_water
         const vec3 from = v3(0.2f + out_m * f_cos(angle), 0.06f, out_m * f_sin(angle));
         assert_int_not_equal(fell_at(from, results, bowls), GAIT_BOWL);
         assert_int_equal(bowls[0].fish_count + bowls[1].fish_count, 0);
+        assert_int_equal(results[0].slipped, 1);
         assert_int_equal(fixture.tank.fish[0].holder, FISH_HOLDER_WATER);
     }
 }

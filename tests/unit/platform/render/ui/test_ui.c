@@ -553,6 +553,68 @@ static void test_the_tears_of_several_players_are_shown_in_turn(void **state)
     }
 }
 
+/* Lays out a round at `elapsed_ticks` after its first scene, with `caught` fish of player 0.
+ * Returns the number of fish on the screen, and writes the number that the counter shows to
+ * `shown`. */
+static uint32_t fish_in_round(uint32_t elapsed_ticks, uint32_t caught, uint32_t *shown)
+{
+    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
+    set_match(MODE_FESTIVAL, 1, 1);
+    scene.tick += elapsed_ticks;
+    scene.caught[0] = caught;
+    scene.bowl[0].position_m = v3(0.3f, 0.0f, 0.1f);
+    lay_out(sizes[0]);
+    check_inside(sizes[0]);
+    const struct ui_frame frame = { .batch = &batch, .scene = &scene, .memory = &memory };
+    *shown = ui_catch_shown(&frame, 0);
+    uint32_t fish = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        fish += batch.kinds[i] == UI_FISH;
+    }
+    return fish;
+}
+
+static void test_caught_fish_fly_to_the_counter_and_count_there(void **state)
+{
+    (void)state;
+    uint32_t shown;
+    memory = (struct ui_memory){ 0 };
+    assert_int_equal(fish_in_round(0, 3, &shown), 1); /* The fish is the sign of the counter. */
+    assert_int_equal(shown, 3);                       /* The fish of the first scene do not fly. */
+    assert_int_equal(fish_in_round(4, 5, &shown), 2);
+    assert_int_equal(shown, 3);
+    assert_int_equal(fish_in_round(4 + 30, 5, &shown), 3); /* The second fish follows the first. */
+    assert_int_equal(fish_in_round(4 + 59, 5, &shown), 3);
+    assert_int_equal(shown, 3);
+    assert_int_equal(fish_in_round(4 + 60, 5, &shown), 2);
+    assert_int_equal(shown, 4);
+    assert_int_equal(fish_in_round(4 + 75, 5, &shown), 1);
+    assert_int_equal(shown, 5);
+    fish_in_round(100, 105, &shown); /* Of 100 fish, the last eight fly. */
+    assert_int_equal(shown, 97);
+    assert_int_equal(fish_in_round(20, 2, &shown), 1); /* Another round, at an earlier tick. */
+    assert_int_equal(shown, 2);
+}
+
+static void test_a_near_miss_is_named_beside_its_poi_for_a_moment(void **state)
+{
+    (void)state;
+    static const float moments_s[] = { 0.0f, 0.5f, 1.39f, 1.5f };
+    uint32_t letters[4];
+    for (uint32_t i = 0; i < 4u; i++) {
+        set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
+        set_match(MODE_FESTIVAL, 2, 1);
+        scene.player[1].miss_s = moments_s[i];
+        lay_out(sizes[0]);
+        check_inside(sizes[0]);
+        letters[i] = glyph_quads();
+    }
+    /* "So close!" has eight letters, each with an outline. */
+    assert_int_equal(letters[1] - letters[0], 16);
+    assert_int_equal(letters[2], letters[1]);
+    assert_int_equal(letters[3], letters[0]);
+}
+
 /* This test must be the last one, because `longest` is the maximum of all tests before it. */
 static void test_the_largest_screen_leaves_quads_for_longer_languages(void **state)
 {
@@ -580,6 +642,8 @@ int main(void)
         cmocka_unit_test(test_a_tear_adds_its_load_its_picture_and_its_words),
         cmocka_unit_test(test_a_present_swims_into_a_bowl_on_the_result),
         cmocka_unit_test(test_the_tears_of_several_players_are_shown_in_turn),
+        cmocka_unit_test(test_caught_fish_fly_to_the_counter_and_count_there),
+        cmocka_unit_test(test_a_near_miss_is_named_beside_its_poi_for_a_moment),
         cmocka_unit_test(test_the_largest_screen_leaves_quads_for_longer_languages),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,129 @@
+/* ui_catch.c -- draws the drama of a catch: fish that fly from the bowl to the counter, and the
+ * word for a near miss. */
+#include <math.h>
+
+#include "core/base/panic.h"
+#include "platform/render/ui/ui_widgets.h"
+
+/* Time in ticks of the flight from the bowl to the counter, and between two fish that were poured
+ * into the bowl together. */
+#define FLIGHT_TICKS (CORE_TICK_HZ / 2u)
+#define FLIGHT_APART_TICKS (CORE_TICK_HZ / 8u)
+#define FLIGHT_RISE 130.0f /* Height of the flight's arc in layout units. */
+/* Widths in layout units of a fish that leaves the bowl and of one that arrives. */
+#define FLIGHT_WIDTH 104.0f
+#define FLIGHT_WIDTH_END 70.0f
+/* Time in seconds for which the number of caught fish is enlarged after a fish has arrived. */
+#define POP_S 0.45f
+
+/* Time in seconds for which the word for a near miss is shown, and the distance in layout units
+ * that it rises in this time. */
+#define MISS_S 1.4f
+#define MISS_RISE 34.0f
+#define MISS_OVER 64.0f /* Distance in layout units from the poi up to the word. */
+
+/* Returns the ticks since fish number `number` of a player left the bowl. A negative result means
+ * that the fish leaves later. */
+static int32_t flight_age(const struct ui_memory *memory, uint32_t tick, uint32_t player,
+                          uint32_t number)
+{
+    CORE_ASSERT(player < POI_MAX);
+    return (int32_t)(tick - memory->flight_tick[player][number % UI_FLIGHT_MAX]);
+}
+
+/* Returns how many of `caught` fish have a recorded flight. These are the fish that were caught
+ * last. */
+static uint32_t flight_count(uint32_t caught)
+{
+    return caught < UI_FLIGHT_MAX ? caught : UI_FLIGHT_MAX;
+}
+
+void ui_catch_notice(struct ui_memory *memory, const struct scene *scene)
+{
+    const bool is_round = scene->phase == PHASE_ROUND && memory->phase == PHASE_ROUND;
+    const bool continues = scene->tick >= memory->tick;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const uint32_t caught = scene->caught[i], before = memory->caught[i];
+        if (is_round && continues && caught > before) {
+            for (uint32_t k = flight_count(caught - before); k > 0; k--) {
+                const uint32_t waits = flight_count(caught - before) - k;
+                memory->flight_tick[i][(caught - k + 1u) % UI_FLIGHT_MAX] =
+                    scene->tick + waits * FLIGHT_APART_TICKS;
+            }
+        } else if (caught != before || !continues) { /* All fish have arrived. */
+            for (uint32_t k = 0; k < UI_FLIGHT_MAX; k++) {
+                memory->flight_tick[i][k] = scene->tick - FLIGHT_TICKS;
+            }
+        }
+        memory->caught[i] = caught;
+    }
+}
+
+uint32_t ui_catch_shown(const struct ui_frame *frame, uint32_t player)
+{
+    const uint32_t caught = frame->scene->caught[player];
+    uint32_t flying = 0;
+    for (uint32_t k = 0; k < flight_count(caught); k++) {
+        flying += flight_age(frame->memory, frame->scene->tick, player, caught - k) <
+                  (int32_t)FLIGHT_TICKS;
+    }
+    return caught - flying;
+}
+
+float ui_catch_pop(const struct ui_frame *frame, uint32_t player)
+{
+    const uint32_t caught = frame->scene->caught[player];
+    float pop = 0.0f;
+    for (uint32_t k = 0; k < flight_count(caught); k++) {
+        const int32_t age = flight_age(frame->memory, frame->scene->tick, player, caught - k) -
+                            (int32_t)FLIGHT_TICKS;
+        if (age >= 0) {
+            pop = fmaxf(pop, 1.0f - f_smoothstep(0.0f, POP_S, (float)age * CORE_TICK_S));
+        }
+    }
+    return pop;
+}
+
+void ui_catch_flights(const struct ui_frame *frame, uint32_t player, float x, float y)
+{
+    const uint32_t caught = frame->scene->caught[player];
+    for (uint32_t k = 0; k < flight_count(caught); k++) {
+        const int32_t age = flight_age(frame->memory, frame->scene->tick, player, caught - k);
+        const float part = (float)age / (float)FLIGHT_TICKS;
+        if (part < 0.0f || part >= 1.0f) {
+            continue;
+        }
+        const struct ui_point from = ui_project(frame, frame->scene->bowl[player].position_m);
+        const float along = f_smoothstep(0.0f, 1.0f, part);
+        const float rise = 4.0f * FLIGHT_RISE * along * (1.0f - along) * frame->unit;
+        const float width = f_lerp(FLIGHT_WIDTH, FLIGHT_WIDTH_END, along) * frame->unit;
+        const float at_x = f_lerp(from.x, x, along);
+        const float at_y = fmaxf(f_lerp(from.y, y, along) - rise, 0.5f * width);
+        ui_glow(frame, ui_around(at_x, at_y, width), ui_fade(0xffd9a0ffu, 0.5f));
+        ui_fish_sign(frame, at_x, at_y, width);
+    }
+}
+
+void ui_near_misses(const struct ui_frame *frame)
+{
+    const bool is_brush = frame->language == LANGUAGE_JA;
+    const char *const words = ui_words(frame, TEXT_CALL_NEAR_MISS);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const float miss_s = frame->scene->player[i].miss_s;
+        if (miss_s <= 0.0f || miss_s >= MISS_S || !frame->scene->poi[i].present) {
+            continue;
+        }
+        const float u = frame->unit;
+        const struct ui_point poi = ui_project(frame, frame->scene->poi[i].position_m);
+        struct ui_text style = ui_style(frame, is_brush ? FONT_BRUSH : FONT_STALL,
+                                        is_brush ? 72.0f : 52.0f, 0.5f, 0xfff8eaffu, 0.0f);
+        style = ui_outlined(style, 0.05f, 0.12f, UI_WORD_SHADE);
+        const float half = 0.5f * ui_text_width(style, words) + 12.0f * u;
+        const float rise = MISS_OVER + MISS_RISE * f_smoothstep(0.0f, MISS_S, miss_s);
+        frame->batch->opacity =
+            f_smoothstep(0.0f, 0.1f, miss_s) * (1.0f - f_smoothstep(MISS_S - 0.4f, MISS_S, miss_s));
+        ui_text_at(frame, style, fminf(fmaxf(poi.x, half), frame->width - half),
+                   fminf(fmaxf(poi.y - rise * u, 150.0f * u), frame->height - 130.0f * u), words);
+    }
+    frame->batch->opacity = 1.0f;
+}
