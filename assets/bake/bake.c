@@ -1,5 +1,6 @@
 /* bake.c -- the command line of the bake. Each run bakes one asset, so that make rebuilds only the
- * assets that changed. */
+ * assets that changed. The files are read and written with plain stdio, because only make runs the
+ * bake, on files of the source tree, and deletes the output of a failed run. */
 #include "assets/bake/bake.h"
 
 #include <ctype.h>

@@ -43,13 +43,9 @@ void usb_sysfs_clean_text(char text[HID_TEXT_SIZE])
         text[--length] = '\0';
     }
     /* The last UTF-8 character is removed if it is incomplete. */
-    size_t lead = length;
-    while (lead > 0 && length - lead < 3u && ((unsigned char)text[lead - 1u] & 0xc0u) == 0x80u) {
-        lead--;
-    }
-    if (lead > 0 && (unsigned char)text[lead - 1u] >= 0xc2u &&
-        printable_utf8_size(text + lead - 1u) == 0u) {
-        text[lead - 1u] = '\0';
+    const uint32_t last = length > 0 ? printable_fit(text, (uint32_t)length - 1u) : 0u;
+    if ((unsigned char)text[last] >= 0xc2u && printable_utf8_size(text + last) == 0u) {
+        text[last] = '\0';
     }
     printable(text);
 }

@@ -163,11 +163,11 @@ static void config_file_read_lines(struct reading *reading, FILE *file)
     char line[CONFIG_LINE_MAX], says[OPTION_TEXT_MAX], text[OPTIONS_PATH_MAX];
     enum file_line result;
     while ((result = file_read_line(file, line, sizeof line)) != FILE_LINE_END) {
-        const bool has_mark = ++reading->line == 1 && strncmp(line, "\xEF\xBB\xBF", 3) == 0;
+        reading->line++;
         if (result == FILE_LINE_BAD) {
             object(reading, "the line is too long or has a zero byte, and is ignored");
         } else {
-            config_file_read_line(reading, line + (has_mark ? 3 : 0));
+            config_file_read_line(reading, reading->line == 1 ? file_skip_mark(line) : line);
         }
     }
     /* The number of fish is checked at the end of the file, because only then is the tank preset

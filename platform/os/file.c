@@ -180,6 +180,11 @@ enum file_line file_read_line(FILE *file, char *line, size_t size)
     return ferror(file) ? FILE_LINE_END : result;
 }
 
+char *file_skip_mark(char *text)
+{
+    return text + (strncmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0);
+}
+
 char *file_trim(char *text)
 {
     while (isspace((unsigned char)*text)) {

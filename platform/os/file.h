@@ -72,6 +72,10 @@ enum file_line {
  * at least 2. `line` is unchanged if the result is FILE_LINE_END. */
 enum file_line file_read_line(FILE *file, char *line, size_t size);
 
+/* Returns the first character after the byte-order mark (U+FEFF in UTF-8) at the start of `text`.
+ * Returns `text` if there is no mark. Some editors write the mark at the start of a file. */
+char *file_skip_mark(char *text);
+
 /* Removes white space at both ends of `text`, in place. Returns the first remaining character. */
 char *file_trim(char *text);
 

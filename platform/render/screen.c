@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
+#include "platform/os/file.h"
 
 #define HASH_BASIS 0xcbf29ce484222325ull /* Initial value of the FNV-1a hash function. */
 #define HASH_PRIME 0x100000001b3ull      /* Factor of the FNV-1a hash function. */
@@ -41,15 +42,12 @@ static int card_of(const char *name)
 /* Reads the state of the connector `name` from its file in the directory `folder`. */
 static enum connector_state connector_state(const char *folder, const char *name)
 {
-    char path[PATH_MAX], word[16] = "";
+    char path[PATH_MAX], word[16];
     snprintf(path, sizeof path, "%s/%.255s/status", folder, name);
-    FILE *file = fopen(path, "re");
-    if (!file) {
-        return CONNECTOR_NONE;
-    }
-    const bool is_read = fscanf(file, "%15s", word) == 1;
-    fclose(file);
-    return is_read && strcmp(word, "connected") == 0 ? CONNECTOR_CONNECTED : CONNECTOR_FREE;
+    file_first_line(path, word, sizeof word);
+    return word[0] == '\0'                  ? CONNECTOR_NONE
+           : strcmp(word, "connected") == 0 ? CONNECTOR_CONNECTED
+                                            : CONNECTOR_FREE;
 }
 
 int screen_card_find(const char *root)

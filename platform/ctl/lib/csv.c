@@ -21,8 +21,6 @@
 
 #define BLANKS " \t\r\n"
 
-static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Byte-order mark U+FEFF in UTF-8. */
-
 static enum exit_code refuse_line(const struct csv *csv, const char *what)
 {
     return print_fail(EXIT_BAD_DATA, "%s: %s: line %u: %s", csv->speaker, csv->path, csv->line,
@@ -45,7 +43,6 @@ enum exit_code csv_error(const struct csv *csv, uint32_t index, const char *form
  * file, otherwise to false. */
 static enum exit_code csv_next_line(struct csv *csv, bool *is_end)
 {
-    const size_t mark = sizeof byte_order_mark - 1u;
     do {
         csv->line++;
         const enum file_line result = file_read_line(csv->file, csv->text, sizeof csv->text);
@@ -57,10 +54,9 @@ static enum exit_code csv_next_line(struct csv *csv, bool *is_end)
         if (result == FILE_LINE_BAD) {
             return refuse_line(csv, "is longer than any line of numbers");
         }
-        /* Some editors write a byte-order mark at the start of a file. The mark would otherwise
-         * become part of the first column's name. */
-        if (csv->line == 1 && strncmp(csv->text, byte_order_mark, mark) == 0) {
-            memmove(csv->text, csv->text + mark, strlen(csv->text + mark) + 1u);
+        if (csv->line == 1) {
+            const char *first = file_skip_mark(csv->text);
+            memmove(csv->text, first, strlen(first) + 1u);
         }
     } while (csv->text[strspn(csv->text, BLANKS)] == '\0');
     return EXIT_OK;

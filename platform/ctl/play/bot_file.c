@@ -251,25 +251,18 @@ static bool parse_line(struct parser *parser, char *text)
     return true;
 }
 
-static bool parse_lines(struct parser *parser, const char *text, size_t size)
+static bool parse_lines(struct parser *parser, FILE *file)
 {
-    const char *const end = text + size;
     char line[LINE_MAX_CHARS];
-    while (text < end) {
-        const char *stop = memchr(text, '\n', (size_t)(end - text));
-        const size_t length = (size_t)((stop ? stop : end) - text);
+    enum file_line got;
+    while ((got = file_read_line(file, line, sizeof line)) != FILE_LINE_END) {
         parser->line++;
-        if (length >= LINE_MAX_CHARS) {
-            return bot_file_error(parser, "the line has %zu characters; at most %u are allowed",
-                                  length, LINE_MAX_CHARS - 1u);
+        if (got == FILE_LINE_BAD) {
+            return bot_file_error(parser,
+                                  "the line has more than %u characters or contains a zero byte",
+                                  LINE_MAX_CHARS - 1u);
         }
-        memcpy(line, text, length);
-        line[length] = '\0';
-        text = stop ? stop + 1 : end;
-        if (memchr(line, '\0', length)) {
-            return bot_file_error(parser, "is no text");
-        }
-        if (!parse_line(parser, line)) {
+        if (!parse_line(parser, parser->line == 1 ? file_skip_mark(line) : line)) {
             return false;
         }
     }
@@ -303,15 +296,13 @@ static bool check_whole(struct parser *parser)
 int bot_file_parse(const char *text, size_t size, struct technique *out,
                    struct bot_file_problem *problem)
 {
-    static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Byte-order mark U+FEFF in UTF-8. Some
-                                                             editors write the mark at the start of
-                                                             a file. */
     struct parser parser = { .technique = technique_expert, .problem = problem };
-    if (size >= 3 && memcmp(text, byte_order_mark, 3) == 0) {
-        text += 3;
-        size -= 3;
+    FILE *file = fmemopen((void *)text, size, "r");
+    const bool good = file && parse_lines(&parser, file) && check_whole(&parser);
+    if (file) {
+        fclose(file);
     }
-    if (!parse_lines(&parser, text, size) || !check_whole(&parser)) {
+    if (!good) {
         return -1;
     }
     *out = parser.technique;

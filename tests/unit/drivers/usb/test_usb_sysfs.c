@@ -28,6 +28,11 @@ static void test_control_characters_are_removed_from_device_texts(void **state)
           /* U+009B, a C1 control character that starts a terminal control sequence. */
           "?31m and more" },
         { "cut \xe9\x87", "cut " },
+        { "cut \xf0\x9f\x90", "cut " },
+        { "cut \xc3", "cut " },
+        { "\xe9", "" },
+        { "odd \x90", "odd ?" },
+        { "", "" },
     };
     for (uint32_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
         char text[HID_TEXT_SIZE];

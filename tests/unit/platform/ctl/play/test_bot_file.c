@@ -208,7 +208,7 @@ static void test_a_binary_bot_file_is_rejected_at_its_first_invalid_line(void **
     expect_refused("wet=\001\r2\177", 1, "'??2?'");
     memset(line, 'a', sizeof line - 1);
     line[sizeof line - 1] = '\0';
-    expect_refused(line, 1, "999 characters");
+    expect_refused(line, 1, "the line has more than 199 characters");
 }
 
 int main(void)
