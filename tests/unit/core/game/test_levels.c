@@ -187,6 +187,11 @@ static void test_finished_rounds_are_counted_at_their_level(void **state)
     assert_int_equal(audits_rounds_at(audits.count, LEVEL_MASTER), 5);
     assert_int_equal(audits_rounds_at(audits.count, LEVEL_NORMAL), 1);
     assert_int_equal(audits_rounds_at(audits.count, LEVEL_EASY), 2);
+    entry.round.by_bot = 0;
+    entry.round.level = LEVEL_COUNT; /* No such level exists, and it has no counter. */
+    audits_note(&audits, &entry);
+    assert_int_equal(audits.count[AUDIT_ROUNDS], 9);
+    assert_int_equal(audits_rounds_at(audits.count, LEVEL_MASTER), 6);
     entry = (struct ledger_entry){ .kind = LEDGER_RESET, .detail = AUDIT_GROUP_PLAY };
     audits_note(&audits, &entry);
     for (uint8_t level = 0; level < LEVEL_COUNT; level++) {

@@ -399,16 +399,18 @@ static void test_the_core_writes_no_entry_beyond_the_last_id(void **state)
 static void test_the_core_and_the_replay_reject_a_state_that_is_out_of_range(void **state)
 {
     (void)state;
-    static struct core_config good, bad[12], back;
+    static struct core_config good, late, bad[13], back;
     static uint8_t bytes[REPLAY_INITIAL_STATE_MAX];
     good =
         (struct core_config){ .fish_count = 4, .persistent.ledger = { .last_id = 9, .boots = 2 } };
     assert_int_equal(core_init(&core, &good), CORE_OK);
     good = core.config;
-    for (size_t i = 0; i < 12; i++) {
-        bad[i] = good;
-        bad[i].session.tick = 120;
-        bad[i].session.ledger = core.game.accounts.ledger;
+    late = good;
+    late.session.tick = 120;
+    late.session.ledger = core.game.accounts.ledger;
+    late.session.ledger.store_came_late = 1;
+    for (size_t i = 0; i < 13; i++) {
+        bad[i] = late;
     }
     bad[0].persistent.ledger.last_id = LEDGER_ID_MAX + 1u;
     bad[1].persistent.ledger.boots = UINT32_MAX;
@@ -422,7 +424,8 @@ static void test_the_core_and_the_replay_reject_a_state_that_is_out_of_range(voi
     bad[9].session.ledger.after[LEDGER_RING - 1u].units = UINT32_MAX;
     bad[10].session.ledger.committed.open = 200;
     bad[11].session.credit.pending_coins[0].owed = UINT32_MAX;
-    for (size_t i = 0; i < 12; i++) {
+    bad[12].session.ledger.store_came_late = 2;
+    for (size_t i = 0; i < 13; i++) {
         assert_int_equal(core_init(&core, &bad[i]), CORE_ERR_RANGE);
         /* The encoder cannot represent the values of cases 4 and 5, so these cases are skipped. */
         if (i != 4 && i != 5) {
@@ -432,6 +435,7 @@ static void test_the_core_and_the_replay_reject_a_state_that_is_out_of_range(voi
         }
     }
     assert_int_equal(core_init(&core, &good), CORE_OK);
+    assert_int_equal(core_init(&core, &late), CORE_OK);
 }
 
 int main(void)

@@ -104,6 +104,39 @@ static void test_without_a_database_entries_come_from_the_mirror(void **state)
     expect_salvaged(NULL, 4, 2);
 }
 
+/* Recovers the mirror into a database whose entries 1 and 2 have the boot number `boot` and the tick
+ * `tick`. The mirror has the entries 11 and 12 of boot 1, the last with tick 1200. Returns whether
+ * the mirror counts as that of a foreign ledger. */
+static bool is_mirror_foreign(uint32_t boot, uint32_t tick)
+{
+    struct ledger_file to;
+    struct ledger_recovered salvaged;
+    unlink(to_path);
+    assert_int_equal(ledger_file_open(&to, to_path, NULL), SQLITE_OK);
+    for (uint32_t id = 1; id <= 2; id++) {
+        struct ledger_entry entry = coin(id);
+        entry.boot = boot;
+        entry.tick = tick;
+        assert_int_equal(ledger_file_write(&to, &entry, 1), SQLITE_OK);
+    }
+    struct ledger_mirror tail = ledger_mirror_inspect(tail_path);
+    assert_int_equal(ledger_recover(NULL, &tail, &to, &salvaged), SQLITE_OK);
+    assert_int_equal(salvaged.entries, salvaged.has_others_tail ? 0 : 2);
+    ledger_mirror_close(&tail);
+    ledger_file_close(&to);
+    return salvaged.has_others_tail;
+}
+
+static void test_an_older_mirror_without_a_common_entry_is_foreign(void **state)
+{
+    (void)state;
+    put_tail(11, 12);
+    assert_false(is_mirror_foreign(1, 1200));
+    assert_true(is_mirror_foreign(1, 1201));
+    assert_true(is_mirror_foreign(2, 100));
+    assert_false(is_mirror_foreign(0, 1201));
+}
+
 /* Layout of an entry in the mirror file, as in ledger_mirror.c. */
 struct slot {
     uint32_t version, size;
@@ -143,6 +176,7 @@ int main(void)
         TEST(test_entries_missing_from_the_backup_come_from_the_damaged_file),
         TEST(test_entries_missing_from_the_damaged_file_come_from_the_mirror),
         TEST(test_without_a_database_entries_come_from_the_mirror),
+        TEST(test_an_older_mirror_without_a_common_entry_is_foreign),
         TEST(test_a_round_in_a_mirror_of_version_100_counts_as_master),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
