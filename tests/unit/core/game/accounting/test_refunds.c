@@ -223,9 +223,12 @@ static void test_a_power_cut_keeps_the_catch_of_the_last_entry_of_the_round(void
     drop(PRICE);
     play(SPENT_TICKS + 10u);
     core.game.player[0].caught = FISH + 1u;
+    core.game.player[1].plays = 1;
+    core.game.player[1].caught = 2;
     noted_steps(3);
     cut_power();
-    assert_int_equal(audit(AUDIT_CAUGHT), FISH + 1u);
+    assert_int_equal(audit(AUDIT_CAUGHT), FISH + 3u);
+    assert_int_equal(audit(AUDIT_PLAYERS), 2);
     assert_int_equal(audit(AUDIT_CRASHED_ROUNDS), 1);
     assert_int_equal(audit(AUDIT_REFUNDS), 0);
 }
@@ -240,6 +243,17 @@ static void test_a_recording_of_format_7_refunds_every_credit(void **state)
     expect_refunded();
     assert_int_equal(balance()->returned, PAYMENT_NONE);
     assert_int_equal(purse_count(&output, LEDGER_STAND), 0);
+}
+
+static void test_a_recording_of_format_8_refunds_no_mostly_played_round(void **state)
+{
+    (void)state;
+    core.config.rules = 8;
+    drop(PRICE);
+    play(SPENT_TICKS + 10u);
+    lose_controller();
+    assert_int_equal(audit(AUDIT_REFUNDS), 0);
+    assert_int_equal(credits(), 0);
 }
 
 /* ---- Repeated losses of a controller -------------------------------------------------------- */
@@ -293,6 +307,7 @@ int main(void)
         TEST(test_one_credit_pays_for_less_than_two_rounds),
         TEST(test_a_power_cut_keeps_the_catch_of_the_last_entry_of_the_round),
         TEST(test_a_recording_of_format_7_refunds_every_credit),
+        TEST(test_a_recording_of_format_8_refunds_no_mostly_played_round),
         TEST(test_repeated_losses_of_a_controller_are_counted),
         TEST(test_losses_far_apart_do_not_count_as_repeated),
     };
