@@ -104,9 +104,9 @@ static void test_without_a_database_entries_come_from_the_mirror(void **state)
     expect_salvaged(NULL, 4, 2);
 }
 
-/* Recovers the mirror into a database whose entries 1 and 2 have the boot number `boot` and the tick
- * `tick`. The mirror has the entries 11 and 12 of boot 1, the last with tick 1200. Returns whether
- * the mirror counts as that of a foreign ledger. */
+/* Recovers the mirror into a database whose entries 1 and 2 have the given boot number and tick.
+ * The mirror has the entries 11 and 12 of boot 1, the last with tick 1200. Returns true if the
+ * mirror counts as that of a foreign ledger. */
 static bool is_mirror_foreign(uint32_t boot, uint32_t tick)
 {
     struct ledger_file to;
