@@ -261,15 +261,15 @@ struct scene_credit {
 /* State of the score playback, which is drawn over every page
  * (platform/kiosk/recorder/score_playback.h). */
 enum scene_playback {
-    ENCORE_OFF = 0,
+    PLAYBACK_OFF = 0,
     /* The replay is loaded, and is played fast until the round of the score begins. */
-    ENCORE_SEEKS,
-    ENCORE_PLAYS,
+    PLAYBACK_SEEKS,
+    PLAYBACK_PLAYS,
     /* The playback is over, and its result matched the stored record bit for bit. */
-    ENCORE_GENUINE,
-    ENCORE_OTHER, /* The playback is over, and its result differed from the stored record. */
-    ENCORE_NONE,  /* The score has no replay. */
-    ENCORE_COUNT,
+    PLAYBACK_GENUINE,
+    PLAYBACK_OTHER, /* The playback is over, and its result differed from the stored record. */
+    PLAYBACK_NONE,  /* The score has no replay. */
+    PLAYBACK_COUNT,
 };
 
 struct scene {

@@ -110,7 +110,7 @@ struct scene_machine {
     /* Degrees Celsius below the throttling temperature; valid if `has_heat` is 1. */
     int32_t heat_margin_c;
     /* Number of quarantined databases that the operator has not acknowledged. */
-    uint32_t aside;
+    uint32_t quarantined;
     /* Number of programs that ended by a panic since the panic count was reset. */
     uint32_t panics;
     /* Data that the kiosk does not load because of panics since power-on: 0 none, 1 settings, 2

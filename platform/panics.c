@@ -140,7 +140,7 @@ static bool parse(struct panics *panics, const uint8_t bytes[PANICS_SIZE])
 
 /* Renames a link, FIFO, folder, socket or device that has the file's name, so that a new file can
  * be created. Returns true if the object was renamed. */
-static bool set_strange_aside(int folder)
+static bool quarantine_strange(int folder)
 {
     char name[40];
     struct stat about;
@@ -178,7 +178,7 @@ int panics_read(struct panics *panics, int folder)
     *panics = (struct panics){ 0 };
     const int file = open_file(folder, O_RDONLY);
     if (file < 0) {
-        return file == -ENOENT || set_strange_aside(folder) ? 0 : file;
+        return file == -ENOENT || quarantine_strange(folder) ? 0 : file;
     }
     const ssize_t size = read(file, bytes, sizeof bytes);
     const int error = size < 0 ? -errno : 0;

@@ -102,7 +102,7 @@ enum system_health_quarantine system_health_quarantine_of(const char *file)
     CORE_ASSERT(file);
     static const struct {
         const char *start;
-        enum system_health_quarantine aside;
+        enum system_health_quarantine kind;
     } names[] = {
         { STORAGE_FILE STORAGE_QUARANTINE_SUFFIX, SYSTEM_HEALTH_QUARANTINE_DAMAGED },
         { STORAGE_FILE STORAGE_MISSING_SUFFIX, SYSTEM_HEALTH_QUARANTINE_MISSING },
@@ -118,7 +118,7 @@ enum system_health_quarantine system_health_quarantine_of(const char *file)
         const char *number = file + length;
         if (strncmp(file, names[i].start, length) == 0 && number[0] != '\0' &&
             number[strspn(number, "0123456789")] == '\0') {
-            return names[i].aside;
+            return names[i].kind;
         }
     }
     return SYSTEM_HEALTH_QUARANTINE_NONE;
@@ -193,7 +193,7 @@ void system_health_sample(struct system_health *machine, struct scene_machine *o
     const int32_t margin_mdeg = thermal_read(machine->heat ? machine->heat : THERMAL_ROOT);
     out->has_heat = margin_mdeg != THERMAL_UNKNOWN_MDEG;
     out->heat_margin_c = out->has_heat ? margin_mdeg / 1000 : 0;
-    out->aside = count_quarantined(machine, false, &ignored);
+    out->quarantined = count_quarantined(machine, false, &ignored);
     struct panics panics = { 0 };
     const int folder =
         has_folder(machine) ? open(machine->data, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;

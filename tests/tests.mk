@@ -43,7 +43,7 @@ run-tests:
 	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(TEST_PROGRAMS)
 
 ## build/tests: Build what `make test` runs without running it
-tests: build $(UNIT) $(GPIO_TEST) $(E2E) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/judge_trace \
+tests: build $(UNIT) $(GPIO_TEST) $(E2E) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/check_trace \
     $(BUILD)/tests/bench/technique $(BUILD)/tests/bench/day/bench_day $(BUILD)/tests/power/power
 
 ## test/check: Run boundaries, tests and sizes, as before each commit
@@ -110,8 +110,8 @@ $(E2E_BIN):
 	$(call step,LINK,$@)
 	$(Q)$(CC) -o $@ $^ -lXtst -lX11 -lm
 
-# judge_trace shares no code with the programs that it checks.
-$(BUILD)/tests/ctl/judge_trace: $(BUILD)/tests/ctl/judge_trace.o
+# check_trace shares no code with the programs that it checks.
+$(BUILD)/tests/ctl/check_trace: $(BUILD)/tests/ctl/check_trace.o
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
 

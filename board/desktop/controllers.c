@@ -74,7 +74,7 @@ static void usb_open(struct hal *hal, const struct board_options *options)
         .choices = options->data_dir ? usb.choices : NULL,
         .listed = usb.listed,
         .listed_count = usb.listed_count,
-        .tell = log_controller_warning,
+        .report = log_controller_warning,
     };
     struct board_options told = *options;
     hid_mapping_store_open(&usb.store, options->data_dir, complain_of_file, &told);

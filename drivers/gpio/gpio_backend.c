@@ -225,15 +225,16 @@ static int backend_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_
 
 /* ---- The device ----------------------------------------------------------------------------- */
 
-static int backend_list(void *self, void (*tell)(void *context, const struct gpio_line_info *line),
+static int backend_list(void *self,
+                        void (*report)(void *context, const struct gpio_line_info *line),
                         void *context)
 {
     const struct gpio_backend *backend = self;
-    CORE_ASSERT(tell);
+    CORE_ASSERT(report);
     struct gpio_dev_walk walk = { 0 };
     uint32_t count = 0;
     while (backend->ops->list_chip_lines && gpio_dev_next(&walk)) {
-        count += backend->ops->list_chip_lines(walk.path, tell, context);
+        count += backend->ops->list_chip_lines(walk.path, report, context);
     }
     return walk.count > 0 ? (int)count : HAL_ERR_ABSENT;
 }

@@ -76,10 +76,10 @@ struct gpio_backend_ops {
     int (*set)(enum gpio_role role, bool active);
     /* Releases the line if it was requested, and closes its chip. */
     void (*release)(enum gpio_role role);
-    /* Calls `tell` for each line of the chip at `path`. Returns the number of lines, or 0 if the
+    /* Calls `report` for each line of the chip at `path`. Returns the number of lines, or 0 if the
      * chip cannot be opened. */
     uint32_t (*list_chip_lines)(const char *path,
-                                void (*tell)(void *context, const struct gpio_line_info *line),
+                                void (*report)(void *context, const struct gpio_line_info *line),
                                 void *context);
     const char *(*version)(void);
     bool debounces; /* True if the release can request lines that the kernel debounces. */

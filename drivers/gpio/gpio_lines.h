@@ -143,9 +143,9 @@ struct gpio_lines_ops {
     int (*set)(void *self, enum gpio_role role, bool active);
     /* Returns true if the kernel debounces the line. */
     bool (*debounces)(void *self, enum gpio_role role);
-    /* Calls `tell` for every line of every accessible chip. Returns the number of lines, or
+    /* Calls `report` for every line of every accessible chip. Returns the number of lines, or
      * HAL_ERR_ABSENT if there is no chip. */
-    int (*list)(void *self, void (*tell)(void *context, const struct gpio_line_info *line),
+    int (*list)(void *self, void (*report)(void *context, const struct gpio_line_info *line),
                 void *context);
     void (*close)(void *self);
     /* Returns the name of the library, such as "libgpiod 1.6.3". */

@@ -110,7 +110,7 @@ static int read_edges_v1(enum gpio_role role, struct gpio_edge *out, uint32_t ma
 /* ---- Lines of a chip ------------------------------------------------------------------------ */
 
 static uint32_t list_chip_lines_v1(const char *path,
-                                   void (*tell)(void *context, const struct gpio_line_info *line),
+                                   void (*report)(void *context, const struct gpio_line_info *line),
                                    void *context)
 {
     struct gpiod_chip *chip = gpiod_chip_open(path);
@@ -131,7 +131,7 @@ static uint32_t list_chip_lines_v1(const char *path,
         gpio_dev_text(info.chip, gpiod_chip_label(chip));
         gpio_dev_text(info.name, gpiod_line_name(line));
         gpio_dev_text(info.consumer, gpiod_line_consumer(line));
-        tell(context, &info);
+        report(context, &info);
         count++;
     }
     if (chip) {

@@ -152,7 +152,7 @@ static int read_edges_v2(enum gpio_role role, struct gpio_edge *out, uint32_t ma
 /* ---- Lines of a chip ------------------------------------------------------------------------ */
 
 static uint32_t list_chip_lines_v2(const char *path,
-                                   void (*tell)(void *context, const struct gpio_line_info *line),
+                                   void (*report)(void *context, const struct gpio_line_info *line),
                                    void *context)
 {
     struct gpiod_chip *chip = gpiod_chip_open(path);
@@ -175,7 +175,7 @@ static uint32_t list_chip_lines_v2(const char *path,
         gpio_dev_text(info.name, gpiod_line_info_get_name(line));
         gpio_dev_text(info.consumer, gpiod_line_info_get_consumer(line));
         gpiod_line_info_free(line);
-        tell(context, &info);
+        report(context, &info);
         count++;
     }
     if (chip_info) {

@@ -141,8 +141,8 @@ static void *write_jobs(void *self)
         }
         /* No other thread changes `job` until the writer thread sets has_job to false. */
         const struct hid_mapping_store_job job = store->job;
-        void (*const tell)(void *self, const char *line) = store->tell;
-        void *const tell_self = store->tell_self;
+        void (*const report)(void *self, const char *line) = store->report;
+        void *const report_self = store->report_self;
         pthread_mutex_unlock(&store->lock);
         const int error = do_job(store->folder, &job);
         if (error) {
@@ -150,8 +150,8 @@ static void *write_jobs(void *self)
             snprintf(text, sizeof text, "%s: %s; the change (%s) is lost when the kiosk ends",
                      job.path, strerror(error),
                      job.text[0] ? "learned mapping" : "deleted mapping");
-            if (tell) {
-                tell(tell_self, text);
+            if (report) {
+                report(report_self, text);
             }
         }
         pthread_mutex_lock(&store->lock);
@@ -173,11 +173,11 @@ int hid_mapping_store_result(struct hid_mapping_store *store)
 }
 
 void hid_mapping_store_set_error_sink(struct hid_mapping_store *store,
-                                      void (*tell)(void *self, const char *line), void *self)
+                                      void (*report)(void *self, const char *line), void *self)
 {
     pthread_mutex_lock(&store->lock);
-    store->tell = tell;
-    store->tell_self = self;
+    store->report = report;
+    store->report_self = self;
     pthread_mutex_unlock(&store->lock);
 }
 

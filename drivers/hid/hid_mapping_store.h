@@ -45,8 +45,8 @@ struct hid_mapping_store {
     uint32_t written_count;
     /* Number of file operations that failed since hid_mapping_store_open(). */
     uint32_t failed_count;
-    void (*tell)(void *self, const char *line);
-    void *tell_self;
+    void (*report)(void *self, const char *line);
+    void *report_self;
 };
 
 /* Reads the mappings in the folder pois/ of the data folder `data` and starts the writer thread. If
@@ -78,7 +78,7 @@ struct hid_mapper hid_mapping_store_mapper(struct hid_mapping_store *store);
 /* Sets the callback for write errors, which receives one line for each error. The callback runs on
  * the writer thread and may be null. */
 void hid_mapping_store_set_error_sink(struct hid_mapping_store *store,
-                                      void (*tell)(void *self, const char *line), void *self);
+                                      void (*report)(void *self, const char *line), void *self);
 
 /* Returns the result of the last hid_mapping_store_put() or hid_mapping_store_forget().
  * HAL_ERR_BUSY means that the job is pending. HAL_OK means that the change is on the memory card.

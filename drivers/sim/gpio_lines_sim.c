@@ -283,11 +283,11 @@ static bool sim_debounces(void *self, enum gpio_role role)
     return sim->kernel_debounces;
 }
 
-static int sim_list(void *self, void (*tell)(void *context, const struct gpio_line_info *line),
+static int sim_list(void *self, void (*report)(void *context, const struct gpio_line_info *line),
                     void *context)
 {
     const struct gpio_lines_sim *sim = self;
-    CORE_ASSERT(tell);
+    CORE_ASSERT(report);
     for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
         struct gpio_line_info info = {
             .device = "gpiochip0",
@@ -300,7 +300,7 @@ static int sim_list(void *self, void (*tell)(void *context, const struct gpio_li
                  sim->held_by_others & 1u << i ? "another"
                  : sim->held & 1u << i         ? "kingyo"
                                                : "");
-        tell(context, &info);
+        report(context, &info);
     }
     return GPIO_ROLE_COUNT;
 }

@@ -220,8 +220,8 @@ struct usb_event_thread *usb_transport_start(const struct usb_transport_config *
     memset(&one, 0, sizeof one);
     why[0] = '\0';
     one.clock = config->clock;
-    one.tell = config->tell;
-    one.tell_self = config->tell_self;
+    one.report = config->report;
+    one.report_self = config->report_self;
     snprintf(one.choices_path, sizeof one.choices_path, "%s",
              config->choices ? config->choices : "");
     snprintf(evaluation->sysfs, sizeof evaluation->sysfs, "%s",

@@ -58,8 +58,8 @@ struct usb_event_thread {
     bool is_unread; /* True if the file of rules exists but could not be read. */
     /* Callback for error messages, which receives one line for each error. The callback may be
      * null. */
-    void (*tell)(void *self, const char *line);
-    void *tell_self;
+    void (*report)(void *self, const char *line);
+    void *report_self;
 
     /* The event thread and the frame loop share the fields from `port` to `wake_fd`. */
     struct hid_port port[POI_MAX]; /* Port of each slot. */
@@ -114,7 +114,7 @@ void usb_event_thread_detach(struct usb_event_thread *usb_thread, struct usb_dev
  * next. */
 uint64_t usb_event_thread_due_ns(const struct usb_event_thread *usb_thread);
 
-/* Calls the callback `tell` with the fault of a table entry. Each new fault is reported once. */
+/* Calls the callback `report` with the fault of a table entry. Each new fault is reported once. */
 void usb_event_thread_report_fault(struct usb_event_thread *usb_thread,
                                    struct usb_device_entry *entry);
 

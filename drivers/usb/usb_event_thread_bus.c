@@ -150,13 +150,13 @@ static void save_choices(struct usb_event_thread *usb_thread)
     const int error = usb_thread->is_unread ? 0
                                             : usb_choice_save(&usb_thread->evaluation.choice,
                                                               usb_thread->choices_path);
-    if ((usb_thread->is_unread || error) && usb_thread->tell) {
+    if ((usb_thread->is_unread || error) && usb_thread->report) {
         snprintf(text, sizeof text, "%.60s: %s%.30s; the choice is lost when the kiosk ends",
                  usb_thread->choices_path,
                  usb_thread->is_unread ? "cannot be read, so it is not overwritten"
                                        : "cannot write: ",
                  error ? strerror(-error) : "");
-        usb_thread->tell(usb_thread->tell_self, text);
+        usb_thread->report(usb_thread->report_self, text);
     }
 }
 
@@ -241,9 +241,9 @@ void usb_event_thread_report_fault(struct usb_event_thread *usb_thread,
 {
     CORE_ASSERT(entry->trouble <= USB_AWAY);
     char text[HAL_TEXT_SIZE];
-    if (usb_thread->tell && needs_operator(entry) && entry->trouble != entry->reported_trouble) {
+    if (usb_thread->report && needs_operator(entry) && entry->trouble != entry->reported_trouble) {
         write_trouble(entry, text);
-        usb_thread->tell(usb_thread->tell_self, text);
+        usb_thread->report(usb_thread->report_self, text);
     }
     entry->reported_trouble = entry->trouble;
 }

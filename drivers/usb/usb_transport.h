@@ -31,8 +31,8 @@ struct usb_transport_config {
     /* Callback that receives one line for each controller that should play and cannot be opened.
      * Called from the event thread. If the callback is null, only hid_device_list_ops.describe()
      * reports the fault. */
-    void (*tell)(void *self, const char *line);
-    void *tell_self;
+    void (*report)(void *self, const char *line);
+    void *report_self;
 };
 
 /* Starts the event thread and returns the transport, which is a static object, because there is

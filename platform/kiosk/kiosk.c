@@ -209,7 +209,7 @@ static bool prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_coun
     }
     /* During a score playback, poses and buttons control the playback, and the game gets only
      * coins. The input that ends the playback is not passed to the game. */
-    if (kiosk->config.playback && kiosk->config.playback->state != ENCORE_OFF) {
+    if (kiosk->config.playback && kiosk->config.playback->state != PLAYBACK_OFF) {
         score_playback_handle_input(kiosk->config.playback, input->pressed, input->poi);
         input->pressed = input->held = 0;
         for (uint32_t i = 0; i < POI_MAX; i++) {

@@ -115,7 +115,7 @@ void operator_view_fill(struct scene *scene, const struct hal *hal,
                 : operator_view->notes ? operator_notes_row(operator_view->notes, row - 1u)
                                        : (struct scene_file){ .state = FILE_UNKNOWN };
         if (file->state == FILE_ASIDE && devices->machine.is_checked &&
-            devices->machine.aside == 0) {
+            devices->machine.quarantined == 0) {
             file->state = FILE_SEEN;
         }
     }

@@ -44,7 +44,7 @@ static void run_common_warn(void *context, const char *line)
 }
 
 /* Returns the text that describes a quarantined file in the log and in the operator's menu. */
-static const char *words_of_aside(const char *data, const char *name)
+static const char *quarantine_words(const char *data, const char *name)
 {
     static const char *const words[] = {
         [SYSTEM_HEALTH_QUARANTINE_DAMAGED] =
@@ -56,12 +56,12 @@ static const char *words_of_aside(const char *data, const char *name)
             "of another list or damaged, and set aside: nothing was read from it",
     };
     char path[PATH_MAX + 1u];
-    const enum system_health_quarantine aside = system_health_quarantine_of(name);
+    const enum system_health_quarantine kind = system_health_quarantine_of(name);
     const int length = snprintf(path, sizeof path, "%s/%s", data, name);
     const bool has_path = length > 0 && (size_t)length < sizeof path;
-    return aside == SYSTEM_HEALTH_QUARANTINE_OTHER && has_path && file_is_other(path)
+    return kind == SYSTEM_HEALTH_QUARANTINE_OTHER && has_path && file_is_other(path)
                ? "was not a regular file, and was set aside"
-               : words[aside];
+               : words[kind];
 }
 
 /* Adds the quarantined files to the operator's messages, and logs the files that the operator has
@@ -72,9 +72,9 @@ static void note_damaged(struct run_common *session)
     DIR *folder = session->options.data[0] ? opendir(session->options.data) : NULL;
     const struct dirent *entry;
     while (folder && (entry = readdir(folder))) {
-        const enum system_health_quarantine aside = system_health_quarantine_of(entry->d_name);
-        if (aside != SYSTEM_HEALTH_QUARANTINE_NONE) {
-            const char *words = words_of_aside(session->options.data, entry->d_name);
+        const enum system_health_quarantine kind = system_health_quarantine_of(entry->d_name);
+        if (kind != SYSTEM_HEALTH_QUARANTINE_NONE) {
+            const char *words = quarantine_words(session->options.data, entry->d_name);
             if (!system_health_is_seen(session->options.data, entry->d_name)) {
                 log_print(LOG_LEVEL_WARNING, "%s/%s: %s", session->options.data, entry->d_name,
                           words);

@@ -238,7 +238,7 @@ static void put_machine(struct json *json, const struct status_report *report)
     json_print(json,
                "\n  files: {refused: %u, set_aside: %u, replays_missed: %u},"
                "\n  panics: {count: %u, left_out: %s},",
-               report->files_refused, machine->aside, machine->missed, machine->panics,
+               report->files_refused, machine->quarantined, machine->missed, machine->panics,
                panics_left_name(machine->left_out));
 }
 

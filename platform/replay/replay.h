@@ -65,7 +65,7 @@
 #define REPLAY_CHUNK_TICKS CORE_TICK_HZ
 #define REPLAY_PROGRAM_SIZE 16u
 
-#define REPLAY_DESK_BYTES (CONTROLLER_MAX + 4u)
+#define REPLAY_CONTROLLERS_BYTES (CONTROLLER_MAX + 4u)
 
 /* Maximum size in bytes of the machine's state in one tick: the mask of the group, two ids of saved
  * data, the byte of flags, the day, the minute, and the numbers of dropped ticks, faults and
@@ -80,7 +80,7 @@
 /* Maximum size in bytes of one tick: mask, held and pressed buttons, coins of each line, the
  * machine's state, the controllers' mask and bytes, the poses and the digest. */
 #define REPLAY_TICK_SIZE_MAX                                                                       \
-    (1u + (2u + COIN_LINE_COUNT) * 4u + REPLAY_MACHINE_BYTES + 2u + REPLAY_DESK_BYTES +            \
+    (1u + (2u + COIN_LINE_COUNT) * 4u + REPLAY_MACHINE_BYTES + 2u + REPLAY_CONTROLLERS_BYTES +     \
      REPLAY_POSE_BYTES + 4u)
 /* Maximum size in bytes of a chunk's payload. */
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)

@@ -62,17 +62,20 @@ enum {
 };
 
 enum {
-    DESK_STEP = CONTROLLER_MAX, /* Index of the learn wizard's step in the byte array of the group.
+    CONTROLLERS_STEP =
+        CONTROLLER_MAX, /* Index of the learn wizard's step in the byte array of the group.
                                    The array begins with one state byte for each controller. */
-    DESK_ROW,
-    DESK_PROGRESS,
-    DESK_FILES,
-    DESK_BYTES,
+    CONTROLLERS_ROW,
+    CONTROLLERS_PROGRESS,
+    CONTROLLERS_FILES,
+    CONTROLLERS_BYTES,
 };
-_Static_assert(DESK_BYTES == REPLAY_DESK_BYTES && DESK_BYTES <= 16, "each has its bit in a u16");
-_Static_assert(sizeof(struct controller_status) == DESK_BYTES, "the desk's bytes are all of it");
-_Static_assert(offsetof(struct controller_status, learn_step) == DESK_STEP &&
-                   offsetof(struct controller_status, learn_row) == DESK_ROW,
+_Static_assert(CONTROLLERS_BYTES == REPLAY_CONTROLLERS_BYTES && CONTROLLERS_BYTES <= 16,
+               "each has its bit in a u16");
+_Static_assert(sizeof(struct controller_status) == CONTROLLERS_BYTES,
+               "the desk's bytes are all of it");
+_Static_assert(offsetof(struct controller_status, learn_step) == CONTROLLERS_STEP &&
+                   offsetof(struct controller_status, learn_row) == CONTROLLERS_ROW,
                "the bytes have the order of the struct");
 
 enum {
@@ -218,13 +221,13 @@ static bool walk_desk(struct replay_serializer *walk, const struct input *before
     const uint8_t *old = (const uint8_t *)&before->controllers;
     uint8_t *bytes = (uint8_t *)&input->controllers;
     struct group group = group_begin(walk, true);
-    for (unsigned i = 0; i < DESK_BYTES; i++) {
+    for (unsigned i = 0; i < CONTROLLERS_BYTES; i++) {
         group_u8(&group, 1u << i, old[i], &bytes[i]);
         walk->bad |= !walk->out && i < CONTROLLER_MAX && bytes[i] >= CONTROLLER_STATE_COUNT;
     }
-    walk->bad |=
-        !walk->out && (bytes[DESK_STEP] >= LEARN_STEP_COUNT || bytes[DESK_ROW] >= CONTROLLER_MAX);
-    return group_end(&group, (1u << DESK_BYTES) - 1u);
+    walk->bad |= !walk->out && (bytes[CONTROLLERS_STEP] >= LEARN_STEP_COUNT ||
+                                bytes[CONTROLLERS_ROW] >= CONTROLLER_MAX);
+    return group_end(&group, (1u << CONTROLLERS_BYTES) - 1u);
 }
 
 /* ---- Poses ----------------------------------------------------------------------------------- */

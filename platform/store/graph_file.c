@@ -45,9 +45,9 @@ int graph_file_write(const char *data, const struct graph_edit_record *record)
 static void graph_file_print_warning(struct graph_file_warn warn, const char *path, const char *why)
 {
     char line[PATH_SIZE + GRAPH_FILE_WHY_SIZE];
-    if (warn.tell != NULL) {
+    if (warn.report != NULL) {
         snprintf(line, sizeof line, "%s:%s", path, why);
-        warn.tell(warn.context, line);
+        warn.report(warn.context, line);
     }
 }
 

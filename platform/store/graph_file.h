@@ -52,7 +52,7 @@ int graph_file_write(const char *data, const struct graph_edit_record *record);
 /* Callback for rejected files. `line` is "PATH:LINE: reason". */
 struct graph_file_warn {
     /* Null means that rejected files are not reported. */
-    void (*tell)(void *context, const char *line);
+    void (*report)(void *context, const char *line);
     void *context;
 };
 

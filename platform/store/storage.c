@@ -68,7 +68,7 @@ static const char *storage_describe(void *self)
     struct storage *storage = self;
     const int error = atomic_load(&storage->error);
     const int edit_error = atomic_load(&storage->edit_error);
-    const unsigned aside = atomic_load(&storage->aside);
+    const unsigned number = atomic_load(&storage->quarantined);
     if (!atomic_load(&storage->has_file)) {
         if (error == LEDGER_FILE_FOREIGN) {
             set_text(storage, "no store", "the card is there now, and not empty",
@@ -90,11 +90,11 @@ static const char *storage_describe(void *self)
     } else if (atomic_load(&storage->tail_error) != 0) {
         set_text(storage, "store: the second copy is not written",
                  strerror(atomic_load(&storage->tail_error)), "it is retried");
-    } else if (aside > 0) {
+    } else if (number > 0) {
         char what[80] = "missing", lost[24] = "unknown how many";
         if (!storage->was_missing) {
             snprintf(what, sizeof what,
-                     "damaged and is now " STORAGE_FILE STORAGE_QUARANTINE_SUFFIX "%u", aside);
+                     "damaged and set aside as " STORAGE_FILE STORAGE_QUARANTINE_SUFFIX "%u", number);
         }
         if (!storage->salvaged.is_open_ended) {
             snprintf(lost, sizeof lost, "%u", storage->salvaged.lost);

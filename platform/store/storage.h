@@ -189,7 +189,7 @@ struct storage {
     bool has_to_rebuild;
     /* Number at the end of the quarantined database's file name. 0 means that no database was
      * quarantined. */
-    atomic_uint aside;
+    atomic_uint quarantined;
     /* Identifies the object that was renamed last because it had the name of a database file but
      * was not a regular file. The value is 1 plus the index of the name's suffix in
      * storage_suffixes. 0 means that no object was renamed. */

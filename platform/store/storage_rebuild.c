@@ -73,7 +73,7 @@ int storage_quarantine_other(struct storage *storage, const char *suffix)
 
 /* Renames the damaged database first and then its log and journal. A log or journal with its old
  * name would be applied to the new database by SQLite. Returns true on success. */
-static bool set_aside(struct storage *storage, unsigned number)
+static bool quarantine_database(struct storage *storage, unsigned number)
 {
     char suffix[40];
     snprintf(suffix, sizeof suffix, STORAGE_QUARANTINE_SUFFIX "%u", number);
@@ -204,11 +204,12 @@ int storage_rebuild(struct storage *storage, bool is_missing)
          storage_quarantine_other(storage, STORAGE_MIRROR_SUFFIX) != 0)) {
         return SQLITE_IOERR;
     }
-    if (!set_aside(storage, number) || file_sync_parent(storage->path) != 0 || !put_new(storage)) {
+    if (!quarantine_database(storage, number) || file_sync_parent(storage->path) != 0 ||
+        !put_new(storage)) {
         return SQLITE_IOERR;
     }
     storage->was_missing = is_missing;
-    atomic_store(&storage->aside, number);
+    atomic_store(&storage->quarantined, number);
     return SQLITE_OK;
 }
 
@@ -219,7 +220,7 @@ int storage_end_rebuilding(struct storage *storage)
     if (storage_has_path(storage->path)) {
         remove_all(storage, STORAGE_NEW_SUFFIX);
     } else if (storage_has_path(storage_path(storage, STORAGE_NEW_SUFFIX, "").text) &&
-               !(set_aside(storage, next_number(storage)) && put_new(storage))) {
+               !(quarantine_database(storage, next_number(storage)) && put_new(storage))) {
         return SQLITE_IOERR; /* No new database may be created at the path while the replacement
                                 cannot be renamed. */
     }

@@ -1,9 +1,9 @@
 #!/bin/bash
 # test_tank_command.sh -- `kingyoctl tank`: valid JSON, a trace that an independent program
-# (judge_trace) checks, the same result for the same seed, one line for each mistake. Speaks TAP.
+# (check_trace) checks, the same result for the same seed, one line for each mistake. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
-judge=$build/tests/ctl/judge_trace
+judge=$build/tests/ctl/check_trace
 json() { # FILE PATH: Prints one value of FILE, which SQLite parses.
     sqlite3 :memory: "select json_extract(readfile('$1'), '\$.$2')"
 }
@@ -40,7 +40,7 @@ check 'the times are measured' holds "$work/a.json" \
      and json_extract(j,'\$.tick_ms_p99')>=json_extract(j,'\$.tick_ms_median')"
 
 # ---- Trace
-judged() { # TRACE SIZE... PATTERN: The verdict of judge_trace on TRACE matches PATTERN.
+judged() { # TRACE SIZE... PATTERN: The verdict of check_trace on TRACE matches PATTERN.
     local said
     said=$("$judge" "$1" "$2" "$3" "$4") || return 1
     echo "$said"

@@ -90,7 +90,7 @@ static const struct shot shots[] = {
     { "name", PHASE_NAME, HINT_NONE, 4.0f, 12.0f, 13, 13, 0.4f, 2, 0, 0, 0, 0, 0, 0 },
     { "dusk", PHASE_ATTRACT, HINT_START, 0.2f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
     { "seeks", PHASE_ATTRACT, HINT_START, 9.0f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
-    { "encore", PHASE_ROUND, HINT_TILT, 30.0f, 30.0f, 7, 12, 0.66f, 1, 0, 0, 0, 0, 0, 0 },
+    { "playback", PHASE_ROUND, HINT_TILT, 30.0f, 30.0f, 7, 12, 0.66f, 1, 0, 0, 0, 0, 0, 0 },
     { "genuine", PHASE_RESULT, HINT_NONE, 6.2f, 0.0f, 13, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
     { "doubted", PHASE_RESULT, HINT_NONE, 6.2f, 0.0f, 13, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
     { "latin", PHASE_NAME, HINT_NONE, 4.0f, 40.0f, 13, 13, 0.4f, 1, 0, 0, 0, 0, 0, 0 },
@@ -198,10 +198,9 @@ static void fill_cabinet(struct scene *scene, const char *name)
 
 static void fill_playback(struct scene *scene, const char *name)
 {
-    static const char *const names[ENCORE_COUNT] = {
-        "", "seeks", "encore", "genuine", "doubted", ""
-    };
-    for (uint8_t i = 0; i < ENCORE_COUNT; i++) {
+    static const char *const names[PLAYBACK_COUNT] = { "",        "seeks",   "playback",
+                                                       "genuine", "doubted", "" };
+    for (uint8_t i = 0; i < PLAYBACK_COUNT; i++) {
         scene->playback = strcmp(names[i], name) == 0 ? i : scene->playback;
     }
     scene->asks_quit = strcmp(name, "quit") == 0;

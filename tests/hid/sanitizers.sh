@@ -11,7 +11,7 @@ cc=${CC:-gcc}
 tests=(drivers/hid/test_{hid_mapping,hid_pose_decoder,hid_pose_pointing,hid_pose_own,hid_learn}
     drivers/hid/test_{hid_mapping_store,controller_manager,poi_hid} drivers/gamepad/test_stick_motion
     core/game/menu/test_{menu,menu_controllers,menu_poi} core/game/accounting/test_credit
-    platform/kiosk/test_{menu_desk,unplug_paid})
+    platform/kiosk/test_{menu_devices,unplug_paid})
 mapfile -t sources < <(find core/game drivers/hid -name '*.c')
 sources+=(drivers/pointer/pointer_poi.c drivers/gamepad/stick_motion.c drivers/null.c
     drivers/sim/{hid_sim,hal_sim}.c

@@ -45,7 +45,7 @@ static int wake(const char *folder, struct persistent_state *memory, char why[BO
         result = device.ledger.ops->load(device.ledger.self, memory);
     }
     snprintf(why, BOOKS_WHY_SIZE, "%s", device.ledger.ops->describe(device.ledger.self));
-    const int is_fresh = atomic_load(&store.aside) != 0;
+    const int is_fresh = atomic_load(&store.quarantined) != 0;
     device.ledger.ops->close(device.ledger.self);
     return result == HAL_OK && !is_fresh ? 0 : -1;
 }

@@ -56,7 +56,7 @@ static int opens_well(const struct books *before, uint32_t last_id, char why[BOO
     const struct ledger_entry *boot = &morning.entries[last_id + 1u], *end = boot + 1;
     const int was_open = before->balance.open != PAYMENT_NONE;
     if (boot->kind != LEDGER_BOOT || credits(&boot->balance) != credits(&before->balance)) {
-        return refuse(why, "the start is not the first entry, or changed the purse");
+        return refuse(why, "the start is not the first entry, or changed the balance");
     }
     if (was_open && (end->balance.open != PAYMENT_NONE ||
                      (!is_kept(before, end) && !is_reported_back(before, end)))) {

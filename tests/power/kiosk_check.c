@@ -78,8 +78,8 @@ static void check_state(struct tally *tally, const char *folder, uint32_t acked,
     settings_reset(&memory.settings);
     store = (struct storage){ .dir = folder };
     const struct hal_storage device = storage_device(&store);
-    const int opens =
-        device.ledger.ops->open(device.ledger.self) == HAL_OK && atomic_load(&store.aside) == 0;
+    const int opens = device.ledger.ops->open(device.ledger.self) == HAL_OK &&
+                      atomic_load(&store.quarantined) == 0;
     if (!opens) {
         tally_complain(tally, &tally->unopenable, where,
                        device.ledger.ops->describe(device.ledger.self));

@@ -214,7 +214,7 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
         .room_mib = 40,
         .has_heat = 1,
         .heat_margin_c = 21,
-        .aside = 1,
+        .quarantined = 1,
         .missed = 2,
     };
     devices->line_raw = INPUT_LEFT | INPUT_DOOR | INPUT_TILT;

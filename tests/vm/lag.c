@@ -43,7 +43,7 @@ static struct usb_event_thread *start(struct hal *hal, const struct usb_key *key
         .clock = hal->clock,
         .listed = key,
         .listed_count = 1,
-        .tell = tell,
+        .report = tell,
     };
     struct usb_event_thread *usb = usb_transport_start(&config, why);
     for (uint32_t i = 0; i < POI_MAX; i++) {

@@ -163,7 +163,7 @@ struct ledger_credits ledger_committed_credits(const struct ledger *ledger)
 #define DAY_MINUTES (24u * 60u)
 /* Largest valid count in a stored balance. Refunds are added without a limit, so a count may exceed
  * BALANCE_MAX. */
-#define PURSE_LIMIT (2u * BALANCE_MAX)
+#define BALANCE_LIMIT (2u * BALANCE_MAX)
 
 /* Returns true if `open`, the payment of an open round, is valid. The flag PAYMENT_SPENT is valid
  * only together with a kind of credit. */
@@ -175,9 +175,9 @@ static bool open_is_good(int32_t open)
 
 static bool balance_is_good(const struct balance *balance)
 {
-    return balance->units <= PURSE_LIMIT && balance->bonus_units <= PURSE_LIMIT &&
-           balance->paid <= PURSE_LIMIT && balance->service <= PURSE_LIMIT &&
-           balance->unlogged <= PURSE_LIMIT && open_is_good(balance->open) &&
+    return balance->units <= BALANCE_LIMIT && balance->bonus_units <= BALANCE_LIMIT &&
+           balance->paid <= BALANCE_LIMIT && balance->service <= BALANCE_LIMIT &&
+           balance->unlogged <= BALANCE_LIMIT && open_is_good(balance->open) &&
            (balance->returned == PAYMENT_NONE || balance->returned == PAYMENT_PAID ||
             balance->returned == PAYMENT_SERVICE) &&
            balance->tickets <= BALANCE_TICKETS_MAX;
@@ -259,7 +259,7 @@ bool ledger_session_is_valid(const struct game_session *session)
     }
     for (uint32_t i = 0; i < COIN_LINE_COUNT; i++) {
         const struct pending_coins *pending = &session->credit.pending_coins[i];
-        is_good = is_good && pending->units <= PURSE_LIMIT && pending->owed <= PURSE_LIMIT;
+        is_good = is_good && pending->units <= BALANCE_LIMIT && pending->owed <= BALANCE_LIMIT;
     }
     return is_good;
 }

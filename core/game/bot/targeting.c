@@ -50,10 +50,10 @@ static const float yaws_rad[] = { YAW_EASY_RAD, -0.30f, 0.90f, 1.45f, -0.80f };
 /* Cost reduction in seconds for a fish that gulps air, because such a fish notices the poi late and
  * dives late. */
 #define GULP_S 0.30f
-#define COMPANY_M 0.030f
+#define NEIGHBOUR_M 0.030f
 /* Cost reduction in seconds for each further fish near the target fish, because the bot can scoop
  * that fish on the same path. */
-#define COMPANY_S 0.25f
+#define NEIGHBOUR_S 0.25f
 /* Distance from a fish to another player's poi below which the fish costs RIVAL_S more, because the
  * other player probably catches the fish first. */
 #define RIVAL_M 0.10f
@@ -135,14 +135,14 @@ static float cost_of_fish(const struct technique *technique, const struct snapsh
     uint32_t neighbours = 0;
     for (uint32_t i = 0; i < snapshot->near_count; i++) {
         const struct snapshot_fish *other = &snapshot->near[i];
-        neighbours += other != fish && flat_m(other->position_m, fish->position_m) < COMPANY_M &&
+        neighbours += other != fish && flat_m(other->position_m, fish->position_m) < NEIGHBOUR_M &&
                       other->position_m.y > fish->position_m.y - 0.5f * TARGETING_UNDER_M;
     }
     CORE_ASSERT(technique->fish_max >= 1);
     const uint32_t wanted = (uint32_t)technique->fish_max - 1u;
     return (technique->hunt == HUNT_CHASE ? 0.0f : hardness_s) +
            LENGTH_S_M * f_abs(fish->length_m - technique->fish_m) + rivals_s +
-           -COMPANY_S * (float)(neighbours < wanted ? neighbours : wanted);
+           -NEIGHBOUR_S * (float)(neighbours < wanted ? neighbours : wanted);
 }
 
 /* Returns the cost in seconds of the path `way`: the time of the arm's motion and a penalty for its

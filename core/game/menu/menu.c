@@ -27,12 +27,12 @@ struct menu_scope menu_scope_of(struct game *game, struct core_config *config,
 
 /* Asserts that every value of the controller state is in range. The state comes from the shell, the
  * program around the core. */
-static void check_controllers(const struct controller_status *desk)
+static void check_controllers(const struct controller_status *controllers)
 {
-    CORE_ASSERT(desk->learn_step < LEARN_STEP_COUNT);
-    CORE_ASSERT(desk->learn_row < CONTROLLER_MAX);
+    CORE_ASSERT(controllers->learn_step < LEARN_STEP_COUNT);
+    CORE_ASSERT(controllers->learn_row < CONTROLLER_MAX);
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
-        CORE_ASSERT(desk->state[i] < CONTROLLER_STATE_COUNT);
+        CORE_ASSERT(controllers->state[i] < CONTROLLER_STATE_COUNT);
     }
 }
 
@@ -128,8 +128,8 @@ void menu_turn(struct menu *menu, const struct game *game, const struct settings
     menu->page = (uint8_t)page;
     menu->points = 0; /* Treat the pointer as if no item were under it, so that a pointer at rest
                          highlights no item of the new page. */
-    if (menu_page_desc_of(menu->page)->enter) {
-        menu_page_desc_of(menu->page)->enter(menu, game, settings);
+    if (menu_page_desc_of(menu->page)->open) {
+        menu_page_desc_of(menu->page)->open(menu, game, settings);
     }
     point_at_something(menu);
 }

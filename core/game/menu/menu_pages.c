@@ -14,29 +14,29 @@
       .body = MENU_BODY_FREE,                                                                      \
       .foot_count = BOOK_TAGS,                                                                     \
       .topic = (group),                                                                            \
-      .enter = menu_confirm_open,                                                                  \
-      .take = menu_book_activate }
+      .open = menu_confirm_open,                                                                   \
+      .activate = menu_book_activate }
 #define SURE(parent_page, take_it)                                                                 \
     { .parent = (parent_page),                                                                     \
       .body = MENU_BODY_FREE,                                                                      \
       .foot_count = CONFIRM_TAGS,                                                                  \
-      .enter = menu_confirm_open,                                                                  \
-      .take = (take_it) }
+      .open = menu_confirm_open,                                                                   \
+      .activate = (take_it) }
 #define KEYS(parent_page, take_it)                                                                 \
     { .parent = (parent_page),                                                                     \
       .body = MENU_BODY_KEYS,                                                                      \
       .body_count = PIN_ERASE,                                                                     \
       .foot_count = PIN_TAGS - PIN_ERASE,                                                          \
-      .enter = menu_pin_open,                                                                      \
-      .take = (take_it) }
+      .open = menu_pin_open,                                                                       \
+      .activate = (take_it) }
 #define SETTINGS(group)                                                                            \
     { .parent = MENU_TOP,                                                                          \
       .body = MENU_BODY_SETTINGS,                                                                  \
       .foot_count = SETTINGS_FEET,                                                                 \
       .topic = (group),                                                                            \
-      .offers = menu_settings_enabled,                                                             \
-      .enter = menu_settings_open,                                                                 \
-      .take = menu_settings_activate }
+      .is_enabled = menu_settings_enabled,                                                         \
+      .open = menu_settings_open,                                                                  \
+      .activate = menu_settings_activate }
 
 /* clang-format off */
 static const struct menu_page_desc sheets[MENU_PAGE_COUNT] = {
@@ -44,24 +44,24 @@ static const struct menu_page_desc sheets[MENU_PAGE_COUNT] = {
     [MENU_DEVICES] = PAGES(MENU_TOP),
     [MENU_CONTROLLERS] = { .parent = MENU_DEVICES, .body = MENU_BODY_ROWS,
                            .body_count = CONTROLLER_MAX, .foot_count = 1,
-                           .offers = menu_rows_enabled, .take = menu_rows_activate },
+                           .is_enabled = menu_rows_enabled, .activate = menu_rows_activate },
     [MENU_CONTROLLER] = { .parent = MENU_CONTROLLERS, .body = MENU_BODY_TILES,
         .body_count = ROW_BACK,
-                          .foot_count = 1, .offers = menu_row_enabled, .enter = menu_reopen,
-                          .take = menu_row_activate },
+                          .foot_count = 1, .is_enabled = menu_row_enabled, .open = menu_reopen,
+                          .activate = menu_row_activate },
     [MENU_LEARN] = { .parent = MENU_CONTROLLER, .body = MENU_BODY_FREE, .foot_count = LEARNS_TAGS,
-                     .offers = menu_learn_enabled, .enter = menu_reopen,
-                     .take = menu_learn_activate, .leave = menu_learn_close },
+                     .is_enabled = menu_learn_enabled, .open = menu_reopen,
+                     .activate = menu_learn_activate, .leave = menu_learn_close },
     [MENU_LINES] = { .parent = MENU_DEVICES, .body = MENU_BODY_FREE, .foot_count = LINES_TAGS,
                      .shows_presses = true },
     [MENU_AXES] = { .parent = MENU_DEVICES, .body = MENU_BODY_FREE, .foot_count = 1 },
     [MENU_CALIBRATION] = { .parent = MENU_DEVICES, .body = MENU_BODY_FREE,
-                           .foot_count = CALIBRATE_TAGS, .offers = menu_calibrate_enabled,
-                           .enter = menu_calibrate_open, .take = menu_calibrate_activate },
+                           .foot_count = CALIBRATE_TAGS, .is_enabled = menu_calibrate_enabled,
+                           .open = menu_calibrate_open, .activate = menu_calibrate_activate },
     [MENU_MONEY] = SETTINGS(GROUP_MONEY),
     [MENU_GAME] = SETTINGS(GROUP_GAME),
     [MENU_MODES] = { .parent = MENU_GAME, .body = MENU_BODY_BITS, .foot_count = 1,
-                     .topic = SET_MODES, .take = menu_bits_activate },
+                     .topic = SET_MODES, .activate = menu_bits_activate },
     [MENU_SOUND] = SETTINGS(GROUP_SOUND),
     [MENU_PICTURE] = SETTINGS(GROUP_PICTURE),
     [MENU_CARD] = { .parent = MENU_PICTURE, .body = MENU_BODY_FREE, .foot_count = 1 },
@@ -71,20 +71,20 @@ static const struct menu_page_desc sheets[MENU_PAGE_COUNT] = {
     [MENU_HOURS] = BOOK(AUDIT_GROUP_PLAY),
     [MENU_MACHINE] = BOOK(AUDIT_GROUP_MACHINE),
     [MENU_RESET] = { .parent = MENU_EARNINGS, .body = MENU_BODY_FREE, .foot_count = CONFIRM_TAGS,
-                     .returns = true, .enter = menu_confirm_open, .take = menu_reset_activate },
+                     .returns = true, .open = menu_confirm_open, .activate = menu_reset_activate },
     [MENU_RANKING] = { .parent = MENU_BOOKS, .body = MENU_BODY_ROWS, .body_count = RANKING_NEXT,
-                       .foot_count = 2, .offers = menu_ranking_enabled,
-                       .enter = menu_ranking_open, .take = menu_ranking_activate },
+                       .foot_count = 2, .is_enabled = menu_ranking_enabled,
+                       .open = menu_ranking_open, .activate = menu_ranking_activate },
     [MENU_SCORE] = { .parent = MENU_RANKING, .body = MENU_BODY_TILES, .body_count = SCORE_BACK,
-                     .foot_count = 1, .offers = menu_score_enabled, .enter = menu_score_open,
-                     .take = menu_score_activate },
+                     .foot_count = 1, .is_enabled = menu_score_enabled, .open = menu_score_open,
+                     .activate = menu_score_activate },
     [MENU_SELF_TEST] = { .parent = MENU_TOP, .body = MENU_BODY_FREE, .foot_count = SELF_TAGS,
-                         .shows_presses = true, .offers = menu_self_enabled,
-                         .enter = menu_self_open, .take = menu_self_activate },
+                         .shows_presses = true, .is_enabled = menu_self_enabled,
+                         .open = menu_self_open, .activate = menu_self_activate },
     [MENU_UPKEEP] = PAGES(MENU_TOP),
     [MENU_FILES] = { .parent = MENU_UPKEEP, .body = MENU_BODY_FREE, .foot_count = FILES_TAGS,
-                     .offers = menu_files_enabled, .enter = menu_files_open,
-                     .take = menu_files_activate },
+                     .is_enabled = menu_files_enabled, .open = menu_files_open,
+                     .activate = menu_files_activate },
     [MENU_ABOUT] = { .parent = MENU_UPKEEP, .body = MENU_BODY_FREE, .foot_count = 1 },
     [MENU_NEW_PIN] = KEYS(MENU_UPKEEP, menu_new_pin_activate),
     [MENU_RESTART] = SURE(MENU_UPKEEP, menu_restart_activate),
@@ -190,8 +190,9 @@ uint32_t menu_setting_at(uint8_t page, bool hides_level, uint32_t tag)
 uint16_t menu_enabled(const struct menu *menu)
 {
     const struct menu_page_desc *sheet = menu_page_desc_of(menu->page);
-    return sheet->offers ? sheet->offers(menu)
-                         : (uint16_t)((1u << menu_tag_count(menu->page, menu->hides_level)) - 1u);
+    return sheet->is_enabled
+               ? sheet->is_enabled(menu)
+               : (uint16_t)((1u << menu_tag_count(menu->page, menu->hides_level)) - 1u);
 }
 
 /* ---- Actions of the selected item ----------------------------------------------------------- */
@@ -223,8 +224,8 @@ bool menu_activate(const struct menu_scope *scope)
     } else if (page < MENU_PAGE_COUNT) {
         menu_go(scope, (enum menu_page)page);
     } else {
-        CORE_ASSERT(sheet->take);
-        sheet->take(scope, tag);
+        CORE_ASSERT(sheet->activate);
+        sheet->activate(scope, tag);
     }
     return false;
 }

@@ -24,12 +24,12 @@ enum menu_body {
 };
 
 /* Returns a bit mask of the items of the open page that can be selected. */
-typedef uint16_t menu_offers(const struct menu *menu);
+typedef uint16_t menu_is_enabled(const struct menu *menu);
 /* Action of a page when it opens, such as selecting its first item. */
-typedef void menu_enter(struct menu *menu, const struct game *game,
-                        const struct settings *settings);
+typedef void menu_open_page(struct menu *menu, const struct game *game,
+                            const struct settings *settings);
 /* Runs the action of the selected item `tag`, which is not the last item of the page. */
-typedef void menu_take(const struct menu_scope *scope, uint32_t tag);
+typedef void menu_activate_page(const struct menu_scope *scope, uint32_t tag);
 
 struct menu_page_desc {
     /* Parent page (enum menu_page). MENU_PAGE_COUNT means that the last item closes the menu. */
@@ -48,11 +48,11 @@ struct menu_page_desc {
      * last item leads to the parent page. */
     bool returns;
     /* Returns the items that can be selected. NULL means that all items are available. */
-    menu_offers *offers;
-    menu_enter *enter; /* Called when the page opens. NULL means that nothing needs to be done. */
+    menu_is_enabled *is_enabled;
+    menu_open_page *open; /* Called when the page opens. NULL means that nothing is to be done. */
     /* Called when an item of the page is selected. NULL for a page on which only the last item and
      * other pages can be selected. */
-    menu_take *take;
+    menu_activate_page *activate;
     /* Called when the last item is selected, and when the menu closes; NULL means that nothing
      * needs to be done. */
     void (*leave)(struct menu *menu, struct output *output);
@@ -114,32 +114,34 @@ void menu_command(struct menu *menu, struct output *output, enum controller_comm
 
 /* Actions of the pages in menu_devices.c. menu_reopen() highlights the first item of the open
  * page. */
-menu_offers menu_rows_enabled, menu_row_enabled, menu_learn_enabled, menu_calibrate_enabled;
-menu_enter menu_reopen, menu_calibrate_open;
-menu_take menu_rows_activate, menu_row_activate, menu_learn_activate, menu_calibrate_activate;
+menu_is_enabled menu_rows_enabled, menu_row_enabled, menu_learn_enabled, menu_calibrate_enabled;
+menu_open_page menu_reopen, menu_calibrate_open;
+menu_activate_page menu_rows_activate, menu_row_activate, menu_learn_activate,
+    menu_calibrate_activate;
 void menu_learn_close(struct menu *menu, struct output *output);
 
 /* self_test.c. */
-menu_offers menu_self_enabled;
-menu_enter menu_self_open;
-menu_take menu_self_activate;
+menu_is_enabled menu_self_enabled;
+menu_open_page menu_self_open;
+menu_activate_page menu_self_activate;
 
 /* menu_books.c. */
-menu_offers menu_ranking_enabled, menu_score_enabled;
-menu_enter menu_ranking_open, menu_score_open;
-menu_take menu_book_activate, menu_reset_activate, menu_ranking_activate, menu_score_activate;
+menu_is_enabled menu_ranking_enabled, menu_score_enabled;
+menu_open_page menu_ranking_open, menu_score_open;
+menu_activate_page menu_book_activate, menu_reset_activate, menu_ranking_activate,
+    menu_score_activate;
 
 /* Actions of the pages in menu_upkeep.c. menu_confirm_open() highlights the item "Back" of a page
  * that requests confirmation, so that an accidental press does nothing. */
-menu_offers menu_files_enabled;
-menu_enter menu_files_open, menu_confirm_open, menu_pin_open;
-menu_take menu_files_activate, menu_restart_activate, menu_factory_activate;
-menu_take menu_pin_activate, menu_new_pin_activate;
+menu_is_enabled menu_files_enabled;
+menu_open_page menu_files_open, menu_confirm_open, menu_pin_open;
+menu_activate_page menu_files_activate, menu_restart_activate, menu_factory_activate;
+menu_activate_page menu_pin_activate, menu_new_pin_activate;
 
 /* settings_edit.c. */
-menu_offers menu_settings_enabled;
-menu_enter menu_settings_open;
-menu_take menu_settings_activate, menu_bits_activate;
+menu_is_enabled menu_settings_enabled;
+menu_open_page menu_settings_open;
+menu_activate_page menu_settings_activate, menu_bits_activate;
 
 /* Continues to change a value while the button or poi that selected the value is still pressed. */
 void menu_settings_tick(const struct menu_scope *scope, bool is_pressed);

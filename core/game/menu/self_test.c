@@ -204,7 +204,8 @@ uint32_t self_test_result(const struct scene *scene, uint8_t state[SELF_CHECKS])
     const struct scene_machine *machine = &scene->devices.machine;
     evaluate_machine(machine, state);
     evaluate_parts(scene, state);
-    state[SELF_STORE] = self->store == SELF_GOOD && machine->aside > 0 ? SELF_LOOK : self->store;
+    state[SELF_STORE] =
+        self->store == SELF_GOOD && machine->quarantined > 0 ? SELF_LOOK : self->store;
     state[SELF_CLOCK] = machine->is_clock_back ? SELF_LOOK : self->clock;
     state[SELF_FILES] = scene->devices.files_refused == 0 ? SELF_GOOD : SELF_BAD;
     for (uint32_t i = 0; i < SELF_CHECKS; i++) {

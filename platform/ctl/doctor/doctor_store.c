@@ -160,7 +160,7 @@ static void check_backup(struct doctor *doctor, const char *folder)
 
 static const struct {
     const char *state, *todo;
-} asides[] = {
+} quarantines[] = {
     [SYSTEM_HEALTH_QUARANTINE_DAMAGED] = { "was damaged, and was renamed",
                                            "compare the audits (kingyoctl audits) with the meter, "
                                            "then remove the file. If there are several, replace "
@@ -186,16 +186,16 @@ static void check_damaged(struct doctor *doctor, const char *folder)
     static struct doctor_names names;
     doctor_list(doctor, doctor->options.data, "", &names);
     for (uint32_t i = 0; i < names.count; i++) {
-        const enum system_health_quarantine aside = system_health_quarantine_of(names.name[i]);
-        if (aside != SYSTEM_HEALTH_QUARANTINE_NONE) {
-            CORE_ASSERT((size_t)aside < sizeof asides / sizeof asides[0]);
+        const enum system_health_quarantine kind = system_health_quarantine_of(names.name[i]);
+        if (kind != SYSTEM_HEALTH_QUARANTINE_NONE) {
+            CORE_ASSERT((size_t)kind < sizeof quarantines / sizeof quarantines[0]);
             struct doctor_finding *finding =
                 doctor_find(doctor, "database", DOCTOR_LOOK, "%s/%s", folder, names.name[i]);
-            doctor_state(finding, "%s%s", asides[aside].state,
+            doctor_state(finding, "%s%s", quarantines[kind].state,
                          system_health_is_seen(folder, names.name[i])
                              ? "; the operator has confirmed the finding"
                              : "");
-            doctor_todo(finding, "%s", asides[aside].todo);
+            doctor_todo(finding, "%s", quarantines[kind].todo);
         }
     }
 }

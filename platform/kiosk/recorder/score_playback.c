@@ -13,7 +13,7 @@ void score_playback_request(struct score_playback *playback, uint32_t round_id)
     if (playback->is_asked) {
         return; /* The store is still writing a previously requested replay to `bytes`. */
     }
-    playback->state = ENCORE_SEEKS;
+    playback->state = PLAYBACK_SEEKS;
     playback->is_open = playback->has_play = false;
     playback->round_id = round_id;
     playback->end_ticks = 0;
@@ -25,7 +25,7 @@ void score_playback_request(struct score_playback *playback, uint32_t round_id)
 
 void score_playback_end(struct score_playback *playback)
 {
-    playback->state = ENCORE_OFF;
+    playback->state = PLAYBACK_OFF;
     playback->is_open = playback->has_play = false;
 }
 
@@ -51,9 +51,9 @@ static void conclude(struct score_playback *playback, const struct ranking *rank
 {
     const enum replay_verdict verdict =
         replay_verifier_result(&playback->verifier, ranking, playback->round_id, &playback->kept);
-    playback->state = verdict == REPLAY_VERDICT_GENUINE     ? ENCORE_GENUINE
-                      : verdict == REPLAY_VERDICT_UNCHECKED ? ENCORE_NONE
-                                                            : ENCORE_OTHER;
+    playback->state = verdict == REPLAY_VERDICT_GENUINE     ? PLAYBACK_GENUINE
+                      : verdict == REPLAY_VERDICT_UNCHECKED ? PLAYBACK_NONE
+                                                            : PLAYBACK_OTHER;
 }
 
 /* Requests the replay from the store. After the store has loaded the replay, opens the replay in
@@ -66,7 +66,8 @@ static void fetch_score_replay(struct score_playback *playback, const struct hal
             storage->replays.ops->fetch(storage->replays.self, playback->round_id, playback->bytes,
                                         sizeof playback->bytes, &playback->kept);
         playback->is_asked = result == HAL_OK;
-        playback->state = result == HAL_OK || result == HAL_ERR_BUSY ? ENCORE_SEEKS : ENCORE_NONE;
+        playback->state =
+            result == HAL_OK || result == HAL_ERR_BUSY ? PLAYBACK_SEEKS : PLAYBACK_NONE;
         return;
     }
     const int size = storage->replays.ops->fetched(storage->replays.self);
@@ -74,11 +75,11 @@ static void fetch_score_replay(struct score_playback *playback, const struct hal
         return;
     }
     playback->is_asked = false;
-    if (playback->state == ENCORE_OFF) {
+    if (playback->state == PLAYBACK_OFF) {
         return; /* The playback was ended while the store loaded the replay. */
     }
     if (size <= 0) {
-        playback->state = ENCORE_NONE;
+        playback->state = PLAYBACK_NONE;
     } else if (replay_verifier_open(&playback->verifier, playback->bytes, (size_t)size)) {
         conclude(playback, ranking);
     } else {
@@ -94,7 +95,7 @@ static void seek(struct score_playback *playback, const struct hal_clock *stopwa
     const uint64_t begin_ns = hal_now_ns(*stopwatch);
     uint64_t spent_ns = 0;
     for (uint32_t i = 0; i < SCORE_PLAYBACK_SEEK_TICKS && spent_ns < SCORE_PLAYBACK_SEEK_NS &&
-                         playback->state == ENCORE_SEEKS;
+                         playback->state == PLAYBACK_SEEKS;
          i++) {
         bool is_over = false;
         if (!playback->has_play) {
@@ -102,7 +103,7 @@ static void seek(struct score_playback *playback, const struct hal_clock *stopwa
             playback->has_play = more == 0;
             is_over = more < 0;
         } else if (replay_verifier_is_at_round(&playback->verifier)) {
-            playback->state = ENCORE_PLAYS;
+            playback->state = PLAYBACK_PLAYS;
         } else {
             is_over = !replay_verifier_tick(&playback->verifier);
         }
@@ -117,18 +118,18 @@ void score_playback_frame(struct score_playback *playback, const struct hal *hal
                           const struct hal_clock *stopwatch, const struct ranking *ranking,
                           uint32_t tick_count)
 {
-    const bool waits = playback->state == ENCORE_SEEKS && !playback->is_open;
+    const bool waits = playback->state == PLAYBACK_SEEKS && !playback->is_open;
     if (waits || playback->is_asked) {
         fetch_score_replay(playback, &hal->storage, ranking);
-    } else if (playback->state == ENCORE_SEEKS) {
+    } else if (playback->state == PLAYBACK_SEEKS) {
         seek(playback, stopwatch, ranking);
-    } else if (playback->state == ENCORE_PLAYS) {
-        for (uint32_t i = 0; i < tick_count && playback->state == ENCORE_PLAYS; i++) {
+    } else if (playback->state == PLAYBACK_PLAYS) {
+        for (uint32_t i = 0; i < tick_count && playback->state == PLAYBACK_PLAYS; i++) {
             if (!replay_verifier_tick(&playback->verifier)) {
                 conclude(playback, ranking);
             }
         }
-    } else if (playback->state != ENCORE_OFF) {
+    } else if (playback->state != PLAYBACK_OFF) {
         playback->end_ticks += tick_count;
         if (playback->end_ticks >= SCORE_PLAYBACK_END_TICKS) {
             score_playback_end(playback);
@@ -142,21 +143,21 @@ void score_playback_show(const struct score_playback *playback, struct scene *sc
     const struct replay_verifier *verifier = &playback->verifier;
     scene->playback = playback->state;
     scene->playback_progress = 0.0f;
-    if (playback->state == ENCORE_OFF) {
+    if (playback->state == PLAYBACK_OFF) {
         return;
     }
     output->sound_count = 0; /* The sounds of the kiosk's own game are dropped during a playback. */
-    if (playback->state == ENCORE_SEEKS && playback->has_play) {
+    if (playback->state == PLAYBACK_SEEKS && playback->has_play) {
         scene->playback_progress =
             (float)verifier->replayer.totals.ticks / (float)(verifier->round_tick + 1u);
     }
-    if (playback->state != ENCORE_SEEKS && playback->has_play) {
+    if (playback->state != PLAYBACK_SEEKS && playback->has_play) {
         const uint8_t language = scene->language;
         core_scene(&verifier->core, scene);
         scene->language = language; /* The playback is shown in the language of the operator's menu,
                                        because the operator watches the playback. */
     }
-    if (playback->state == ENCORE_PLAYS) {
+    if (playback->state == PLAYBACK_PLAYS) {
         output->sound_count = verifier->output.sound_count;
         memcpy(output->sounds, verifier->output.sounds, sizeof output->sounds);
     }

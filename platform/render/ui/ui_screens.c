@@ -34,19 +34,19 @@ static void playback_ribbon(const struct ui_frame *frame)
     static const struct {
         enum text_key words;
         uint32_t fill;
-    } verdicts[ENCORE_COUNT] = {
-        [ENCORE_SEEKS] = { TEXT_ENCORE_SEEKS, UI_NIGHT },
-        [ENCORE_PLAYS] = { TEXT_ENCORE_PLAYS, UI_NIGHT },
-        [ENCORE_GENUINE] = { TEXT_ENCORE_GENUINE, 0x17754ee8u },
-        [ENCORE_OTHER] = { TEXT_ENCORE_OTHER, 0xb8301ee8u },
-        [ENCORE_NONE] = { TEXT_ENCORE_NONE, 0xb8301ee8u },
+    } verdicts[PLAYBACK_COUNT] = {
+        [PLAYBACK_SEEKS] = { TEXT_PLAYBACK_SEEKS, UI_NIGHT },
+        [PLAYBACK_PLAYS] = { TEXT_PLAYBACK_PLAYS, UI_NIGHT },
+        [PLAYBACK_GENUINE] = { TEXT_PLAYBACK_GENUINE, 0x17754ee8u },
+        [PLAYBACK_OTHER] = { TEXT_PLAYBACK_OTHER, 0xb8301ee8u },
+        [PLAYBACK_NONE] = { TEXT_PLAYBACK_NONE, 0xb8301ee8u },
     };
     const uint8_t playback = frame->scene->playback;
-    if (playback == ENCORE_OFF || playback >= ENCORE_COUNT) {
+    if (playback == PLAYBACK_OFF || playback >= PLAYBACK_COUNT) {
         return;
     }
     const float u = frame->unit;
-    const bool seeks = playback == ENCORE_SEEKS, is_end = !seeks && playback != ENCORE_PLAYS;
+    const bool seeks = playback == PLAYBACK_SEEKS, is_end = !seeks && playback != PLAYBACK_PLAYS;
     const float y = seeks ? 0.5f * frame->height : frame->height - 120.0f * u;
     frame->batch->opacity = 1.0f;
     ui_ribbon(frame, (struct ui_ribbon){ FONT_BODY, verdicts[playback].fill, UI_GOLD, 0 }, y,

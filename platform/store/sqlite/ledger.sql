@@ -127,7 +127,7 @@ SELECT number, 0, caught, 0 FROM rounds;
 -- Migration of the rounds and of the ranking to version 6. Rounds of older versions were played at the level 0, which
 -- is the level master. Version 3 did not record the tank.
 
---- set_rounds_aside
+--- rename_rounds
 ALTER TABLE rounds RENAME TO old_rounds;
 
 --- fill_rounds_3
@@ -138,7 +138,7 @@ DROP TABLE old_rounds;
 INSERT INTO rounds SELECT *, 0 FROM old_rounds;
 DROP TABLE old_rounds;
 
---- set_ranking_aside
+--- rename_ranking
 ALTER TABLE ranking RENAME TO old_ranking;
 
 --- fill_ranking
@@ -147,7 +147,7 @@ DROP TABLE old_ranking;
 
 -- Migration from versions 1 and 2, in which rounds become entries.
 
---- set_old_aside
+--- rename_old
 ALTER TABLE rounds RENAME TO old_rounds;
 ALTER TABLE round_players RENAME TO old_round_players;
 

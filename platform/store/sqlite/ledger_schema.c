@@ -209,7 +209,7 @@ static int raise_to_now(struct ledger_file *file, int version)
         code = renew_table(file->db, sql_to_2, 2, "round_players", sql_fill_2);
     }
     if (code == SQLITE_OK && has_rounds) {
-        code = sql_run(file->db, sql_set_old_aside);
+        code = sql_run(file->db, sql_rename_old);
     }
     code = code == SQLITE_OK ? make_tables(file->db, LEDGER_FILE_VERSION, NULL) : code;
     if (code == SQLITE_OK && has_rounds) {
@@ -234,10 +234,10 @@ int ledger_schema_raise(struct ledger_file *file, int version)
     if (version < 3) {
         code = raise_to_now(file, version);
     } else { /* The tables are the same in versions 4 and 5. */
-        code = renew_table(file->db, sql_set_rounds_aside, NOW, "rounds",
+        code = renew_table(file->db, sql_rename_rounds, NOW, "rounds",
                            version == 3 ? sql_fill_rounds_3 : sql_fill_rounds_4);
         code = code == SQLITE_OK
-                   ? renew_table(file->db, sql_set_ranking_aside, NOW, "ranking", sql_fill_ranking)
+                   ? renew_table(file->db, sql_rename_ranking, NOW, "ranking", sql_fill_ranking)
                    : code;
         code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
     }

@@ -176,20 +176,20 @@ static void test_a_quarantined_file_is_counted_until_acknowledged(void **state)
     write_file("kingyo.db.damaged-2", "x");
     /* This name has no number, so it must not be counted. Kingyo never creates such a file. */
     write_file("kingyo.db.damaged-", "x");
-    assert_int_equal(look(&machine).aside, 2);
+    assert_int_equal(look(&machine).quarantined, 2);
     assert_int_equal(system_health_mark_seen(&machine), 0);
-    assert_int_equal(look(&machine).aside, 0);
+    assert_int_equal(look(&machine).quarantined, 0);
     assert_true(system_health_is_seen(root, "kingyo.db.damaged-2"));
     struct system_health restarted = machine_here();
-    assert_int_equal(look(&restarted).aside, 0);
+    assert_int_equal(look(&restarted).quarantined, 0);
     write_file("kingyo.db.damaged-3", "x");
-    assert_int_equal(look(&restarted).aside, 1);
+    assert_int_equal(look(&restarted).quarantined, 1);
     assert_int_equal(system_health_quarantine_of("kingyo.db.damaged-1.seen"),
                      SYSTEM_HEALTH_QUARANTINE_NONE);
     write_file("kingyo.db.missing-4", "");
     write_file("kingyo.db.tail.other-5", "");
     write_file("kingyo.db.backup.other-6", "");
-    assert_int_equal(look(&restarted).aside, 4);
+    assert_int_equal(look(&restarted).quarantined, 4);
 }
 
 static int is_reported(struct system_health *machine, uint32_t aside)
@@ -199,7 +199,7 @@ static int is_reported(struct system_health *machine, uint32_t aside)
      * only if the thread checks at once. */
     for (uint32_t i = 0; i < 500u; i++) {
         system_health_read(machine, &says);
-        if (says.is_checked && says.aside == aside) {
+        if (says.is_checked && says.quarantined == aside) {
             return says.watch == WATCH_FED;
         }
         usleep(10000);

@@ -15,7 +15,7 @@
 #include "core/core.h"
 #include "core/poi/paper/paper_patch.h"
 #include "core/game/phases.h"
-#include "tests/unit/support/purse.h"
+#include "tests/unit/support/balance.h"
 
 #define ROUND_S 20u
 #define ABOVE_M 0.06f

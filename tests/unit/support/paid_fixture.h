@@ -42,13 +42,13 @@ static inline const struct balance *balance(void)
 /* Returns the number of paid and service credits. */
 static inline uint32_t credits(void)
 {
-    return purse_credits(&core);
+    return balance_credits(&core);
 }
 
 /* Returns the value of the audit counter `id`. */
 static inline uint32_t audit(enum audit_id id)
 {
-    return purse_audit(&core, id);
+    return balance_audit(&core, id);
 }
 
 /* Inserts the price of one round, presses START, and runs ticks until the round has begun. */

@@ -64,7 +64,7 @@ static void hung_tag(const struct ui_frame *frame, uint32_t tag)
     const float sign_x = box.x + box.width - 26.0f * u, sign_y = box.y + 26.0f * u, r = 17.0f * u;
     const struct scene_machine *const machine = &scene->devices.machine;
     if ((page == MENU_UPKEEP || page == MENU_FILES) &&
-        (machine->aside > 0 || machine->missed > 0 || scene->devices.files_refused > 0)) {
+        (machine->quarantined > 0 || machine->missed > 0 || scene->devices.files_refused > 0)) {
         ui_disc(frame, sign_x, sign_y, r, 0.0f, MENU_BAD, 0);
         ui_words_at(frame, sign_x, sign_y, 2.0f * r, 0.5f, ui_body(frame, 26.0f, UI_CREAM), "!");
     } else if (page == MENU_NEW_PIN && scene->menu.settings.value[SET_PIN] != 0) {

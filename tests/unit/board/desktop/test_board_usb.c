@@ -21,7 +21,7 @@
 #include "drivers/sim/storage_sim.h"
 #include "platform/board.h"
 #include "platform/kiosk/kiosk.h"
-#include "tests/unit/support/purse.h"
+#include "tests/unit/support/balance.h"
 #include "tests/unit/support/usb/usb_fixture.h"
 
 #define FRAME_US 8000
@@ -200,7 +200,7 @@ static void test_a_usb_poi_gets_force_output(void **state)
  * the time from plugging in to the first pose that the game receives. */
 static void lose_and_find(enum usb_sim_unplug_order how)
 {
-    const uint32_t credits = purse_credits(&stall.kiosk.core);
+    const uint32_t credits = balance_credits(&stall.kiosk.core);
     unplug(how);
     if (how == USB_SIM_LATE) {
         usb_sim_announce(stall.poi);
@@ -218,7 +218,7 @@ static void lose_and_find(enum usb_sim_unplug_order how)
     until(is_held);
     print_message("back in the input after %.1f ms\n", (double)back_ns * 1e-6);
     assert_true(is_in_round());
-    assert_int_equal(purse_credits(&stall.kiosk.core), credits);
+    assert_int_equal(balance_credits(&stall.kiosk.core), credits);
 }
 
 static void test_a_round_pauses_while_the_poi_is_unplugged(void **state)

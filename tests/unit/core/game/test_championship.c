@@ -1,7 +1,7 @@
 /* test_championship.c -- plays a championship from START to the result with controller input.
  * Checks the tank, the clock, the announcements of the time, the number of fish, and the record.
  * Equal inputs must give an equal result. */
-#include "tests/unit/support/purse.h"
+#include "tests/unit/support/balance.h"
 #include "tests/unit/support/core_fixture.h"
 
 #include "core/game/bot/bot.h"
@@ -120,7 +120,7 @@ static void test_the_catch_is_shown_and_stored(void **state)
     print_message("%u caught by %u scoops, %u fouls\n", record->caught, record->scoops,
                   record->fouls);
     assert_true(entries_keep_record(&output));
-    assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
+    assert_int_equal(balance_count(&output, LEDGER_ROUND), 1);
     assert_int_equal(newest_record(&output)->mode, MODE_CHAMPIONSHIP);
     assert_int_equal(newest_record(&output)->grade, 5);
     assert_int_equal(newest_record(&output)->players, 1);

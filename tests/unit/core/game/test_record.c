@@ -45,7 +45,7 @@ static void test_a_round_leaves_a_record_with_the_id_of_its_entry(void **state)
     steps(GAME_READY_TICKS + ROUND_S * CORE_TICK_HZ);
     assert_true(newest_record(&output)->id > first_id);
     assert_true(entries_keep_record(&output));
-    assert_int_equal(purse_count(&output, LEDGER_ROUND), 2);
+    assert_int_equal(balance_count(&output, LEDGER_ROUND), 2);
     assert_int_equal(newest_record(&output)->caught, 0);
     /* No fish was caught in the second round, so the best score of the day is still 4. */
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
@@ -61,9 +61,9 @@ static void test_record_ids_continue_after_those_of_the_store(void **state)
     play_into_result();
     assert_true(newest_record(&output)->id > 41);
     assert_true(entries_keep_record(&output));
-    assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
+    assert_int_equal(balance_count(&output, LEDGER_ROUND), 1);
     /* The last entry in the store has the id 41, so the first new entry gets the id 42. */
-    assert_int_equal(purse_entry(&output, 42)->id, 42);
+    assert_int_equal(balance_entry(&output, 42)->id, 42);
 }
 
 static void test_a_bots_round_is_marked_and_never_the_best(void **state)
@@ -174,8 +174,8 @@ static void test_a_round_without_a_player_ends_without_a_record(void **state)
     steps(4);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(newest_record(&output)->id, 0);
-    assert_int_equal(purse_count(&output, LEDGER_ROUND), 0);
-    assert_int_equal(purse_count(&output, LEDGER_LEFT), 1);
+    assert_int_equal(balance_count(&output, LEDGER_ROUND), 0);
+    assert_int_equal(balance_count(&output, LEDGER_LEFT), 1);
 }
 
 static void test_an_abandoned_round_keeps_its_record(void **state)

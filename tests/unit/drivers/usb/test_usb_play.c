@@ -17,7 +17,7 @@
 #include "drivers/sim/storage_sim.h"
 #include "drivers/usb/usb_transport.h"
 #include "platform/kiosk/kiosk.h"
-#include "tests/unit/support/purse.h"
+#include "tests/unit/support/balance.h"
 #include "tests/unit/support/usb/usb_fixture.h"
 
 #define UNPLUG_COUNT 1000u
@@ -173,12 +173,12 @@ static int tear_down(void **state)
 
 static uint32_t credits(void)
 {
-    return purse_credits(&stall.kiosk.core);
+    return balance_credits(&stall.kiosk.core);
 }
 
 static uint32_t refunds(void)
 {
-    return purse_audit(&stall.kiosk.core, AUDIT_REFUNDS);
+    return balance_audit(&stall.kiosk.core, AUDIT_REFUNDS);
 }
 
 static void begin_round(void)

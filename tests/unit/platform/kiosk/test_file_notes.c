@@ -307,11 +307,11 @@ static void test_a_quarantined_database_is_reported_until_acknowledged(void **st
     put(".", "kingyo.db.damaged-1-wal", "its journal");
     const struct scene_file *file = look();
     const struct scene_devices *devices = &rig.display.scene.devices;
-    for (uint32_t i = 0; i < 300u && devices->machine.aside == 0; i++) {
+    for (uint32_t i = 0; i < 300u && devices->machine.quarantined == 0; i++) {
         usleep(10000);
         push(0);
     }
-    assert_int_equal(devices->machine.aside, 1);
+    assert_int_equal(devices->machine.quarantined, 1);
     assert_int_equal(devices->files_refused, 0);
     assert_int_equal(file[1].state, FILE_ASIDE);
     assert_string_equal(file[1].name, "kingyo.db.damaged-1");
@@ -324,7 +324,7 @@ static void test_a_quarantined_database_is_reported_until_acknowledged(void **st
     rig.session.notes = (struct operator_notes){ 0 };
     look();
     until_first_is(file, FILE_SEEN);
-    assert_int_equal(devices->machine.aside, 0);
+    assert_int_equal(devices->machine.quarantined, 0);
 }
 
 #define ON_THE_SCREEN(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)

@@ -246,18 +246,18 @@ static void test_the_button_that_ends_a_playback_has_no_other_effect(void **stat
     memset(&playback, 0, sizeof playback);
     rig.kiosk.config.playback = &playback;
     frames(2);
-    assert_int_equal(rig.display.scene.playback, ENCORE_OFF);
+    assert_int_equal(rig.display.scene.playback, PLAYBACK_OFF);
     rig.kiosk.wanted_replay_id = 7;
     frames(2);
     assert_int_equal(rig.kiosk.wanted_replay_id, 0);
-    assert_int_equal(rig.display.scene.playback, ENCORE_NONE); /* The store has no replay of round
+    assert_int_equal(rig.display.scene.playback, PLAYBACK_NONE); /* The store has no replay of round
                                                                   7, so nothing is played back. */
     script(events, 1);
     frames(2);
     while (rig.clock.now_ns < 3100 * MS) {
         frames(1);
     }
-    assert_int_equal(rig.display.scene.playback, ENCORE_OFF);
+    assert_int_equal(rig.display.scene.playback, PLAYBACK_OFF);
     assert_int_equal(rig.kiosk.core.game.phase, PHASE_ATTRACT);
 }
 

@@ -21,7 +21,7 @@
 #include "drivers/sim/storage_sim.h"
 #include "platform/kiosk/kiosk.h"
 #include "tests/unit/support/hid_wire.h"
-#include "tests/unit/support/purse.h"
+#include "tests/unit/support/balance.h"
 
 /* Time between two reports in ns. 120 reports a second are two reports a frame. */
 #define REPORT_NS 8333333ull
@@ -100,7 +100,7 @@ static int set_up(void **state)
         assert_true(rig.kiosk.core.game.tick < 10u * CORE_TICK_HZ);
     }
     reports(60);
-    assert_int_equal(purse_credits(&rig.kiosk.core), 1);
+    assert_int_equal(balance_credits(&rig.kiosk.core), 1);
     assert_int_equal(game()->paused, 0);
     return 0;
 }
@@ -144,8 +144,8 @@ static void test_an_unplug_at_any_of_1000_reports_pauses_the_round(void **state)
         assert_int_equal(game()->paused, 0);
         assert_true(left_s - game_seconds_left(game(), rig.kiosk.core.game.tick) < 0.1f);
         assert_int_equal(game()->player[0].caught, caught);
-        assert_int_equal(purse_credits(&rig.kiosk.core), 1);
-        assert_int_equal(purse_audit(&rig.kiosk.core, AUDIT_REFUNDS), 0);
+        assert_int_equal(balance_credits(&rig.kiosk.core), 1);
+        assert_int_equal(balance_audit(&rig.kiosk.core, AUDIT_REFUNDS), 0);
         slowest = waited > slowest ? waited : slowest;
         sum += waited;
         resumed++;
@@ -168,8 +168,8 @@ static void test_a_permanently_unplugged_controller_ends_the_round_with_a_refund
     pull_out();
     reports(GAME_LOST_TICKS_MAX + 2u * CORE_TICK_HZ);
     assert_true(game()->phase != PHASE_ROUND);
-    assert_int_equal(purse_credits(&rig.kiosk.core), 2);
-    assert_int_equal(purse_audit(&rig.kiosk.core, AUDIT_REFUNDS), 1);
+    assert_int_equal(balance_credits(&rig.kiosk.core), 2);
+    assert_int_equal(balance_audit(&rig.kiosk.core, AUDIT_REFUNDS), 1);
 }
 
 int main(void)

@@ -218,7 +218,7 @@ static void test_rounds_of_a_damaged_version_3_database_are_recovered(void **sta
         run(command);
         spoil_page(page);
         reopen();
-        assert_int_equal(atomic_load(&storage.aside), 1);
+        assert_int_equal(atomic_load(&storage.quarantined), 1);
         assert_int_equal(storage.salvaged.lost, 0);
         assert_int_equal(storage.salvaged.entries, ask(copy, "SELECT max(id) FROM entries"));
         device.ledger.ops->close(device.ledger.self);
@@ -265,7 +265,7 @@ static void test_a_mirror_is_not_merged_into_a_foreign_database(void **state)
     assert_int_equal(rename(other, file), 0);
     reopen();
     assert_int_equal(device.ledger.ops->committed_id(device.ledger.self), 3);
-    assert_int_equal(atomic_load(&storage.aside), 0);
+    assert_int_equal(atomic_load(&storage.quarantined), 0);
     assert_true(is_beside(".backup.other-1"));
     assert_true(is_beside(".tail.other-2"));
     play_rounds(4, 4);
@@ -316,7 +316,7 @@ static void test_a_database_with_fewer_entries_than_its_mirror_is_damage(void **
     sqlite3_exec(db, "DELETE FROM entries WHERE id > 6", NULL, NULL, NULL);
     sqlite3_close(db);
     has_all_eight();
-    assert_int_equal(atomic_load(&storage.aside), 1);
+    assert_int_equal(atomic_load(&storage.quarantined), 1);
 }
 
 /* ---- Tests of a damaged mirror -------------------------------------------------------------- */
@@ -402,7 +402,7 @@ static void test_a_restored_copy_gets_a_new_mirror(void **state)
     device.ledger.ops->close(device.ledger.self);
     assert_int_equal(rename(copy, file), 0);
     reopen();
-    assert_int_equal(atomic_load(&storage.aside), 0);
+    assert_int_equal(atomic_load(&storage.quarantined), 0);
     assert_int_equal(device.ledger.ops->committed_id(device.ledger.self), 2);
     play_rounds(3, 3);
     assert_int_equal(ledger_mirror_last_id(&storage.tail), 3);

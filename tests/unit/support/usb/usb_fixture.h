@@ -179,8 +179,8 @@ static inline void fixture_start_with(struct usb_fixture *fixture, struct hal_cl
         .listed = listed,
         .listed_count = listed_count,
         .sysfs = fixture->sysfs,
-        .tell = fixture_on_message,
-        .tell_self = fixture,
+        .report = fixture_on_message,
+        .report_self = fixture,
     };
     fixture->thread = usb_transport_start(&config, fixture->why);
 }

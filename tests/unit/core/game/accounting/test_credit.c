@@ -273,7 +273,7 @@ static void test_a_refunded_round_is_not_scored(void **state)
     /* In this round the controller was not lost. The round was therefore played to its end without
      * a refund. */
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(purse_entry(&output, newest_record(&output)->id)->kind, LEDGER_ROUND);
+    assert_int_equal(balance_entry(&output, newest_record(&output)->id)->kind, LEDGER_ROUND);
     core_scene(&core, &scene);
     assert_false(scene.credit.came_back);
 }

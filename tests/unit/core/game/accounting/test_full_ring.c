@@ -88,7 +88,7 @@ static void test_a_ring_that_fills_during_the_mode_selection_permits_a_retry(voi
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_READY);
     assert_int_equal(core.game.accounts.ledger.balance.open, PAYMENT_PAID);
-    assert_int_equal(purse_credits(&core), COINS_FOR_A_FULL_RING);
+    assert_int_equal(balance_credits(&core), COINS_FOR_A_FULL_RING);
 }
 
 static void test_a_full_store_only_delays_the_game(void **state)
@@ -186,7 +186,7 @@ static void test_a_store_that_appears_late_is_used_after_any_number_of_coins(voi
     /* The first entry after the store appeared contains the balance of all coins. This includes the
      * coins that were inserted while the ring buffer was full. */
     assert_true(output.entry_id > before_id);
-    assert_int_equal(purse_entry(&output, output.entry_id)->balance.paid, COINS_FOR_A_FULL_RING);
+    assert_int_equal(balance_entry(&output, output.entry_id)->balance.paid, COINS_FOR_A_FULL_RING);
     revive_store();
     assert_int_equal(output.coin_lockout, 0);
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid,

@@ -73,10 +73,10 @@ static void test_a_round_between_two_coins_resets_the_bonus_count(void **state)
     assert_int_equal(balance()->open, PAYMENT_PAID);
     assert_int_equal(balance()->bonus_units, 0);
     drop(PRICE);
-    assert_int_equal(purse_credits(&core), 1);
+    assert_int_equal(balance_credits(&core), 1);
     /* The coins give a bonus, because no round was played between them. */
     drop(PRICE);
-    assert_int_equal(purse_credits(&core), 3);
+    assert_int_equal(balance_credits(&core), 3);
 }
 
 static void test_coins_inserted_before_a_bonus_was_configured_earn_none(void **state)
@@ -86,9 +86,9 @@ static void test_coins_inserted_before_a_bonus_was_configured_earn_none(void **s
     drop(3u * PRICE);
     core.config.persistent.settings.value[SET_BONUS_UNITS] = 2 * (int)PRICE;
     steps(3);
-    assert_int_equal(purse_credits(&core), 3);
+    assert_int_equal(balance_credits(&core), 3);
     drop(2u * PRICE);
-    assert_true(purse_credits(&core) > 5);
+    assert_true(balance_credits(&core) > 5);
 }
 
 static void test_a_coin_in_free_play_gives_no_credit_after_a_price_is_set(void **state)
@@ -100,7 +100,7 @@ static void test_a_coin_in_free_play_gives_no_credit_after_a_price_is_set(void *
     steps(3);
     assert_int_equal(balance()->units, 0);
     assert_int_equal(balance()->bonus_units, 0);
-    assert_int_equal(purse_credits(&core), 0);
+    assert_int_equal(balance_credits(&core), 0);
 }
 
 static void test_credits_expire_only_after_all_entries_are_stored(void **state)
@@ -110,11 +110,11 @@ static void test_credits_expire_only_after_all_entries_are_stored(void **state)
     store_is_late = 1;
     drop(PRICE);
     steps((EXPIRY_MIN * 60u + 1u) * CORE_TICK_HZ);
-    assert_int_equal(purse_credits(&core), 1);
+    assert_int_equal(balance_credits(&core), 1);
     store_is_late = 0;
     steps(3);
-    assert_int_equal(purse_credits(&core), 0);
-    assert_int_equal(purse_count(&output, LEDGER_EXPIRED), 1);
+    assert_int_equal(balance_credits(&core), 0);
+    assert_int_equal(balance_count(&output, LEDGER_EXPIRED), 1);
 }
 
 static void test_an_unstored_service_credit_is_not_spent(void **state)
@@ -143,10 +143,10 @@ static void test_a_free_round_with_a_lost_poi_gives_no_refund(void **state)
     input.poi[0].link = POI_SOURCE_ABSENT;
     for (uint32_t i = 0; i < 2u * ROUND_S * CORE_TICK_HZ + GAME_LOST_TICKS_MAX; i++) {
         step();
-        assert_int_equal(purse_count(&output, LEDGER_REFUND), 0);
+        assert_int_equal(balance_count(&output, LEDGER_REFUND), 0);
     }
     assert_int_equal(balance()->open, PAYMENT_NONE);
-    assert_int_equal(purse_count(&output, LEDGER_BEGIN), 1);
+    assert_int_equal(balance_count(&output, LEDGER_BEGIN), 1);
 }
 
 /* ---- The ledger ring and the store ---------------------------------------------------------- */
@@ -178,7 +178,7 @@ static void test_coins_leave_room_for_the_end_of_a_round(void **state)
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(core.game.accounts.ledger.uncommitted, 0);
-    assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
+    assert_int_equal(balance_count(&output, LEDGER_ROUND), 1);
     assert_int_equal(balance()->open, PAYMENT_NONE);
 }
 
@@ -226,8 +226,8 @@ static void test_units_without_room_before_a_power_cut_are_restored(void **state
     assert_int_equal(balance()->unlogged, 0);
     assert_int_equal(balance()->paid, 1);
     assert_int_equal(balance()->units, 1);
-    assert_int_equal(purse_entry(&output, 6)->kind, LEDGER_BOOT);
-    assert_int_equal(purse_entry(&output, 6)->value, PRICE);
+    assert_int_equal(balance_entry(&output, 6)->kind, LEDGER_BOOT);
+    assert_int_equal(balance_entry(&output, 6)->value, PRICE);
 }
 
 static void open_with_unlogged(int32_t bonus_units, uint8_t rules)
@@ -255,7 +255,7 @@ static void test_units_from_before_a_power_cut_count_toward_a_configured_bonus(v
     open_with_unlogged(2 * (int)PRICE, 0);
     assert_int_equal(balance()->bonus_units, PRICE);
     drop(PRICE);
-    assert_int_equal(purse_credits(&core), 3);
+    assert_int_equal(balance_credits(&core), 3);
 }
 
 static void test_units_from_before_a_power_cut_count_toward_no_unconfigured_bonus(void **state)
@@ -266,7 +266,7 @@ static void test_units_from_before_a_power_cut_count_toward_no_unconfigured_bonu
     core.config.persistent.settings.value[SET_BONUS_UNITS] = 2 * (int)PRICE;
     drop(PRICE);
     assert_int_equal(balance()->bonus_units, PRICE);
-    assert_int_equal(purse_credits(&core), 2);
+    assert_int_equal(balance_credits(&core), 2);
 }
 
 static void test_a_recording_of_format_7_keeps_its_count_toward_a_bonus(void **state)

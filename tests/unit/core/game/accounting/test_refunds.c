@@ -19,7 +19,7 @@ static uint32_t seen_id;
 static void note_entries(void)
 {
     while (seen_id != output.entry_id) {
-        stand = round_standing_after(stand, purse_entry(&output, ++seen_id));
+        stand = round_standing_after(stand, balance_entry(&output, ++seen_id));
     }
 }
 
@@ -43,7 +43,7 @@ static void cut_power(void)
     config.persistent.ledger = (struct ledger_start){
         .last_id = output.entry_id,
         .boots = ++boots,
-        .balance = purse_entry(&output, output.entry_id)->balance,
+        .balance = balance_entry(&output, output.entry_id)->balance,
         .stand = stand,
     };
     assert_int_equal(core_init(&core, &config), CORE_OK);
@@ -242,7 +242,7 @@ static void test_a_recording_of_format_7_refunds_every_credit(void **state)
     lose_controller();
     expect_refunded();
     assert_int_equal(balance()->returned, PAYMENT_NONE);
-    assert_int_equal(purse_count(&output, LEDGER_STAND), 0);
+    assert_int_equal(balance_count(&output, LEDGER_STAND), 0);
 }
 
 static void test_a_recording_of_format_8_refunds_no_mostly_played_round(void **state)

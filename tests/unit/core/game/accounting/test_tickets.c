@@ -23,7 +23,7 @@ static void take_entries(uint32_t before)
 {
     for (uint32_t id = before + 1u; id <= output.entry_id; id++) {
         assert_true(id < LOG_MAX);
-        journal[id] = *purse_entry(&output, id);
+        journal[id] = *balance_entry(&output, id);
         written_at[id] = core.game.tick;
     }
 }
@@ -124,7 +124,7 @@ static void test_a_ticket_waits_for_its_round_entry_and_its_own_entry(void **sta
     assert_int_equal(journal[round_id].value, WON);
     while (saved_id < round_id) {
         assert_int_equal(output.tickets, 0);
-        assert_int_equal(purse_count(&output, LEDGER_TICKET), 0);
+        assert_int_equal(balance_count(&output, LEDGER_TICKET), 0);
         slow_step();
     }
     for (uint32_t n = 1; n <= WON; n++) {
@@ -180,7 +180,7 @@ static void test_a_ticket_starts_only_after_the_pulse_of_the_previous_one(void *
         input.record_saved_id = output.entry_id;
         assert_int_equal(output.tickets, 1);
     }
-    assert_int_equal(purse_count(&output, LEDGER_TICKET), 1);
+    assert_int_equal(balance_count(&output, LEDGER_TICKET), 1);
 }
 
 /* Cuts the power at many different moments while tickets are dispensed. In every second case, the
@@ -222,7 +222,7 @@ static void test_a_late_card_that_stalls_dispenses_no_ticket_before_its_entry_is
     (void)state;
     core.game.accounts.ledger.boot = 0;
     win();
-    while (purse_count(&output, LEDGER_TICKET) == 0 || output.entry_id == saved_id) {
+    while (balance_count(&output, LEDGER_TICKET) == 0 || output.entry_id == saved_id) {
         slow_step();
     }
     const uint32_t dispensed = output.tickets;

@@ -43,12 +43,12 @@ static void test_a_second_test_ends_the_round_without_a_result_and_refunds_it(vo
     core.game.accounts.ledger.balance.paid = core.game.accounts.ledger.committed.paid = 2;
     play_into_round();
     core.game.player[0].caught = 7;
-    assert_int_equal(purse_credits(&core), 1);
+    assert_int_equal(balance_credits(&core), 1);
     press(INPUT_TEST);
     press(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_MENU);
-    assert_int_equal(purse_credits(&core), 2);
-    assert_int_equal(purse_audit(&core, AUDIT_REFUNDS), 1);
+    assert_int_equal(balance_credits(&core), 2);
+    assert_int_equal(balance_audit(&core, AUDIT_REFUNDS), 1);
     assert_int_equal(newest_record(&output)->id, 0);
     assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
 }
@@ -111,8 +111,8 @@ static void test_service_adds_no_credit_in_the_menu(void **state)
     (void)state;
     core.config.credit_coins = 1;
     push(INPUT_SERVICE);
-    assert_int_equal(purse_credits(&core), 0);
-    assert_int_equal(purse_audit(&core, AUDIT_CREDITS_SERVICE), 0);
+    assert_int_equal(balance_credits(&core), 0);
+    assert_int_equal(balance_audit(&core, AUDIT_CREDITS_SERVICE), 0);
 }
 
 /* Opens every page with TEST and SERVICE alone, and leaves the page by its last tag. */
@@ -183,7 +183,7 @@ static void test_a_coin_on_the_lines_page_is_a_test_coin_and_only_metered(void *
     }
     core_scene(&core, &scene);
     assert_int_equal(scene.menu.test_coins, 5);
-    assert_int_equal(core.game.accounts.ledger.balance.units + purse_credits(&core), 0);
+    assert_int_equal(core.game.accounts.ledger.balance.units + balance_credits(&core), 0);
     /* The test coins fall into the cash box, so the coin meter must count them. */
     assert_int_equal(output.coins_counted, 5);
     push(INPUT_TEST);
@@ -208,9 +208,9 @@ static void test_other_pages_reject_coins_and_an_inserted_one_is_a_test_coin(voi
         assert_int_equal(output.coin_lockout, 1);
         drop(1);
         drop(1);
-        assert_int_equal(core.game.accounts.ledger.balance.units + purse_credits(&core), 0);
+        assert_int_equal(core.game.accounts.ledger.balance.units + balance_credits(&core), 0);
         assert_int_equal(output.coins_counted, before + 2u);
-        assert_int_equal(purse_audit(&core, AUDIT_TEST_COINS), output.coins_counted);
+        assert_int_equal(balance_audit(&core, AUDIT_TEST_COINS), output.coins_counted);
     }
 }
 
@@ -232,9 +232,9 @@ static void test_a_test_coin_in_the_tick_of_a_page_change_counts_once(void **sta
         drop(1);
         assert_int_equal(output.coins_counted, i);
         assert_int_equal(menu()->test_coins, i);
-        assert_int_equal(purse_audit(&core, AUDIT_TEST_COINS), i);
+        assert_int_equal(balance_audit(&core, AUDIT_TEST_COINS), i);
     }
-    assert_int_equal(purse_credits(&core), 0);
+    assert_int_equal(balance_credits(&core), 0);
 }
 
 static void test_the_lines_page_shows_inputs_and_only_test_leaves_it(void **state)

@@ -252,7 +252,7 @@ static const struct {
     { SELF_WATCHDOG, SELF_LOOK, { .watch = WATCH_NONE } },
     { SELF_WATCHDOG, SELF_LOOK, { .watch = WATCH_NO_LIMIT } },
     { SELF_WATCHDOG, SELF_BAD, { .watch = WATCH_DEAF } },
-    { SELF_STORE, SELF_LOOK, { .aside = 1 } },
+    { SELF_STORE, SELF_LOOK, { .quarantined = 1 } },
     { SELF_CLOCK, SELF_LOOK, { .is_clock_back = 1 } },
 };
 
@@ -283,7 +283,7 @@ static void test_every_system_health_row_has_every_state(void **state)
             machine->watch = but->watch;
             break;
         default:
-            machine->aside = but->aside;
+            machine->quarantined = but->quarantined;
             machine->is_clock_back = but->is_clock_back;
         }
         const uint32_t next = judge();
@@ -344,7 +344,7 @@ static void test_absent_hardware_is_not_checked(void **state)
 static void test_the_worst_result_is_named_first(void **state)
 {
     (void)state;
-    scene.devices.machine.aside = 1;
+    scene.devices.machine.quarantined = 1;
     scene.devices.files_refused = 1;
     assert_int_equal(judge(), SELF_SOUND);
     try_all();

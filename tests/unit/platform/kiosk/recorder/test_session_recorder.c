@@ -558,16 +558,16 @@ static void test_a_played_back_score_is_shown_as_genuine(void **state)
     sim.replay_polls_left = 30; /* The store needs 30 frames to read the replay. */
     score_playback_request(&playback, round_id);
     frame();
-    assert_int_equal(scene.playback, ENCORE_SEEKS);
-    assert_in_range(frames_while(ENCORE_SEEKS), 29, 40);
-    assert_int_equal(playback.state, ENCORE_PLAYS);
-    const uint32_t shown = frames_while(ENCORE_PLAYS);
+    assert_int_equal(scene.playback, PLAYBACK_SEEKS);
+    assert_in_range(frames_while(PLAYBACK_SEEKS), 29, 40);
+    assert_int_equal(playback.state, PLAYBACK_PLAYS);
+    const uint32_t shown = frames_while(PLAYBACK_PLAYS);
     assert_in_range(shown, 10u * 60u, 60u * 60u); /* The playback runs at normal speed, and takes
                                                      between 10 and 60 s. */
-    assert_int_equal(scene.playback, ENCORE_GENUINE);
+    assert_int_equal(scene.playback, PLAYBACK_GENUINE);
     assert_int_equal(scene.caught[0], sim.record.caught);
-    assert_int_equal(frames_while(ENCORE_GENUINE), SCORE_PLAYBACK_END_TICKS / 2u);
-    assert_int_equal(scene.playback, ENCORE_OFF);
+    assert_int_equal(frames_while(PLAYBACK_GENUINE), SCORE_PLAYBACK_END_TICKS / 2u);
+    assert_int_equal(scene.playback, PLAYBACK_OFF);
 }
 
 static void test_a_long_replay_is_read_within_the_time_budget_of_each_frame(void **state)
@@ -586,7 +586,7 @@ static void test_a_long_replay_is_read_within_the_time_budget_of_each_frame(void
         score_playback_frame(&playback, &hal, &slow_stopwatch, &core.game.accounts.ranking, 2);
         assert_true(playback.verifier.replayer.reader.tick <= before + 3u * CORE_TICK_HZ);
         score_playback_show(&playback, &scene, &output);
-        assert_int_equal(scene.playback, ENCORE_SEEKS);
+        assert_int_equal(scene.playback, PLAYBACK_SEEKS);
     }
     assert_in_range(frames, playback.verifier.said.ticks / (3u * CORE_TICK_HZ) - 1u, 100);
     assert_true(frames >= 3u);
@@ -599,18 +599,18 @@ static void test_a_button_or_a_dip_ends_the_playback(void **state)
     struct poi_input poi[POI_MAX] = { { .link = POI_SOURCE_LIVE, .target.position_m.y = -0.05f } };
     const uint32_t round_id = play();
     score_playback_request(&playback, round_id);
-    frames_while(ENCORE_SEEKS);
+    frames_while(PLAYBACK_SEEKS);
     /* This dip began before the playback, so it must not end the playback. */
     assert_int_equal(score_playback_handle_input(&playback, 0, poi), 0);
     poi[0].target.position_m.y = 0.05f;
     assert_int_equal(score_playback_handle_input(&playback, 0, poi), 0);
     poi[0].target.position_m.y = -0.05f;
     assert_int_equal(score_playback_handle_input(&playback, 0, poi), 1);
-    assert_int_equal(playback.state, ENCORE_OFF);
+    assert_int_equal(playback.state, PLAYBACK_OFF);
     score_playback_request(&playback, round_id);
     assert_int_equal(score_playback_handle_input(&playback, INPUT_SERVICE, poi), 1);
     frame();
-    assert_int_equal(scene.playback, ENCORE_OFF);
+    assert_int_equal(scene.playback, PLAYBACK_OFF);
 }
 
 static void test_a_score_without_a_replay_is_reported_as_missing(void **state)
@@ -618,18 +618,18 @@ static void test_a_score_without_a_replay_is_reported_as_missing(void **state)
     (void)state;
     const uint32_t round_id = play();
     score_playback_request(&playback, round_id + 5u);
-    frames_while(ENCORE_SEEKS);
-    assert_int_equal(scene.playback, ENCORE_NONE);
+    frames_while(PLAYBACK_SEEKS);
+    assert_int_equal(scene.playback, PLAYBACK_NONE);
     score_playback_end(&playback);
     room[sim.replay_size / 2u] ^= 4u;
     score_playback_request(&playback, round_id);
-    frames_while(ENCORE_SEEKS);
-    assert_int_equal(scene.playback, ENCORE_OTHER);
+    frames_while(PLAYBACK_SEEKS);
+    assert_int_equal(scene.playback, PLAYBACK_OTHER);
     score_playback_end(&playback);
     sim.replay = NULL;
     score_playback_request(&playback, round_id);
-    frames_while(ENCORE_SEEKS);
-    assert_int_equal(scene.playback, ENCORE_NONE);
+    frames_while(PLAYBACK_SEEKS);
+    assert_int_equal(scene.playback, PLAYBACK_NONE);
     score_playback_end(&playback);
 }
 

@@ -161,7 +161,7 @@ static void test_all_messages_of_the_store_are_translated(void **state)
     atomic_store(&storage.edit_error, 0);
     atomic_store(&storage.strange, 1);
     expect_japanese(store.ledger.ops->describe(store.ledger.self));
-    atomic_store(&storage.aside, 2);
+    atomic_store(&storage.quarantined, 2);
     expect_japanese(store.ledger.ops->describe(store.ledger.self));
     atomic_store(&storage.busy_since_ms, 1);
     expect_japanese(store.ledger.ops->describe(store.ledger.self));

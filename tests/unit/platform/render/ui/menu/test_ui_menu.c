@@ -474,9 +474,9 @@ static void test_an_open_warning_marks_the_path_to_its_page(void **state)
         /* The mark of a warning has two quads: a disc and an exclamation mark. */
         assert_int_equal(quads_of(pages[i]), bare + 2u);
         scene.devices.files_refused = 0;
-        scene.devices.machine.aside = 1;
+        scene.devices.machine.quarantined = 1;
         assert_int_equal(quads_of(pages[i]), bare + 2u);
-        scene.devices.machine.aside = 0;
+        scene.devices.machine.quarantined = 0;
         scene.devices.machine.missed = 1;
         assert_int_equal(quads_of(pages[i]), bare + 2u);
     }
@@ -526,7 +526,7 @@ static void test_the_opening_checklist_fits_its_page_in_every_state(void **state
           .backup_min = 179, .room_mib = 4294967295u, .has_heat = 1, .heat_margin_c = 2147483647 },
         { .is_checked = 1, .keeps = KEEPS_FOLDER, .watch = WATCH_NO_LIMIT, .has_backup = 1,
           .backup_min = 4294967295u, .room_mib = 63, .has_heat = 1, .heat_margin_c = 9,
-          .aside = 4294967295u },
+          .quarantined = 4294967295u },
         { .is_checked = 1, .keeps = KEEPS_MEMORY, .watch = WATCH_DEAF, .room_mib = 7,
           .has_heat = 1, .heat_margin_c = -2147483647, .is_clock_back = 1 },
         { .is_checked = 1, .keeps = KEEPS_NOT }, { .is_checked = 1, .keeps = KEEPS_NOWHERE },

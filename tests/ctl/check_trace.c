@@ -1,6 +1,6 @@
-/* judge_trace.c -- checks a trace file of `kingyoctl tank` without any of Kingyo's code.
+/* check_trace.c -- checks a trace file of `kingyoctl tank` without any of Kingyo's code.
  *
- * Usage: judge_trace TRACE WIDTH_CM DEPTH_CM BREADTH_CM
+ * Usage: check_trace TRACE WIDTH_CM DEPTH_CM BREADTH_CM
  *
  * Prints the numbers of rows, ticks and fish, and whether every value is a finite number. Each fish
  * has a bounding box, whose eight corners are computed by rotation. The program also prints how
@@ -157,7 +157,7 @@ int main(int argc, char **argv)
     const double size[3] = { atof(argc == 5 ? argv[2] : "0"), atof(argc == 5 ? argv[3] : "0"),
                              atof(argc == 5 ? argv[4] : "0") };
     if (!file || !fgets(line, sizeof line, file) || strcmp(line, HEAD) != 0) {
-        fputs("judge_trace: no trace\n", stderr);
+        fputs("check_trace: no trace\n", stderr);
         return 2;
     }
     while (fgets(line, sizeof line, file)) {
@@ -172,7 +172,7 @@ int main(int argc, char **argv)
         if (fields != 16 || index != count || count == FISH_MAX || stamina < 0.0 ||
             stamina > 100.0 || !is_one_of(gait, "burst swim rest escape surface held ") ||
             !is_one_of(avoiding, "none yaw pitch ")) {
-            fprintf(stderr, "judge_trace: row %lu: %s", verdict.rows, line);
+            fprintf(stderr, "check_trace: row %lu: %s", verdict.rows, line);
             return 1;
         }
         last = tick;

@@ -1,4 +1,4 @@
-/* test_purse.c -- checks that a power cut at any time neither loses nor repeats a ledger entry that
+/* test_power_cut.c -- checks that a power cut at any time neither loses nor repeats a ledger entry that
  * the store had reported as saved. The test computes the expected balance from the inserted coins
  * and from the entries on a simulated disk. */
 #include "core/game/accounting/accounts.h"

@@ -1,4 +1,4 @@
-/* test_menu_desk.c -- Tests the operator's menu, which has two buttons. In the menu, the operator
+/* test_menu_devices.c -- Tests the operator's menu, which has two buttons. In the menu, the operator
  * also teaches the kiosk the axes of a controller.
  *
  * The tests send button presses and raw HID reports, and check the scene and the pose of the ring.
