@@ -40,6 +40,10 @@ struct library;
 
 struct board_options {
     uint8_t poi; /* Controller that plays (enum board_poi). */
+    /* Adaptation of mouse and touch screen to the player (drivers/pointer/pointer_aid.h): true if
+     * one click dips and the next click lifts, and the reach in per cent (0 means 100). */
+    bool dips_by_click;
+    uint32_t reach_percent;
     /* Number of USB controllers that may play without being selected in the menu. */
     uint32_t usb_count;
     const char (*usb)[BOARD_USB_SIZE];

@@ -164,7 +164,8 @@ static void mouse_poi_take_event(struct mouse_poi *mouse, const SDL_Event *event
 /* Passes the report to the pointer decoder. Returns true if the decoder accepted the report. */
 static bool report_pointer(struct mouse_poi *mouse)
 {
-    const struct pointer_report seen = pointer_report_on(&mouse->report, &mouse->display_settings);
+    struct pointer_report seen = pointer_report_on(&mouse->report, &mouse->display_settings);
+    pointer_aid_apply(&mouse->aid, mouse->pointer.dip.scoops, &seen);
     return pointer_poi_report(&mouse->pointer, &seen);
 }
 

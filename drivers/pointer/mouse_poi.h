@@ -10,6 +10,7 @@
  * a touch dips the poi. The poi must be polled before the fan and the buttons. */
 #pragma once
 
+#include "drivers/pointer/pointer_aid.h"
 #include "drivers/pointer/pointer_poi.h"
 #include "drivers/pointer/touch_fingers.h"
 #include "platform/hal.h"
@@ -22,6 +23,7 @@ enum pointer_filter {
 struct mouse_poi {
     struct hal_clock clock;
     struct pointer_poi pointer;
+    struct pointer_aid aid; /* The caller may set its options after mouse_poi_init(). */
     bool fan_key;           /* True while the F key is pressed. */
     uint8_t enabled;        /* Enabled devices, as bits of enum pointer_filter. */
     uint32_t mouse_buttons; /* Pressed mouse buttons, as bits of enum pointer_button. */

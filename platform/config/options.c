@@ -155,6 +155,7 @@ static bool set_setting(void *target, const struct option *option, const char *t
 /* ---- Table of options ---------------------------------------------------------------------- */
 
 static const char *const poi_names[] = { "auto", "mouse", "touch", "pad", "usb", "bot", NULL };
+static const char *const dip_names[] = { "hold", "click", NULL };
 static const char *const keyboard_names[] = { "auto", "on", "off", NULL };
 const char *const options_tank_names[] = { "festival", "thesis", "official", NULL };
 const char *const options_mode_names[] = { "festival", "championship", "practice", NULL };
@@ -174,6 +175,11 @@ static const struct option table[] = {
       SET(set_window), .expects = "WIDTHxHEIGHT from 320x240 to 8192x8192", .section = "picture" },
     { "poi", "KIND", "controller of the first player; with bot, the bot plays for all players",
       OPTION_CHOICE, AT(poi), .choices = poi_names, .section = "devices" },
+    { "dip", "HOW", "with a mouse or touch screen: hold to dip, or click to dip and to lift",
+      OPTION_CHOICE, AT(dips_by_click), .choices = dip_names, .section = "devices" },
+    { "reach", "PERCENT",
+      "lower part of the picture in which a mouse or finger reaches the whole tank; the default is "
+      "100", OPTION_WHOLE, AT(reach_percent), .min = 40, .max = 100, .section = "devices" },
     { "usb", "ID", "USB controller that may be a poi; repeat the option for each controller",
       SET(set_usb), .expects = "VVVV:PPPP or VVVV:PPPP:SERIAL, as lsusb lists it; 8 at most",
       .section = "devices" },

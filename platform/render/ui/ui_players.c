@@ -4,6 +4,8 @@
 #include "core/base/panic.h"
 #include "platform/render/ui/ui_widgets.h"
 
+/* Distance of the number on a handle from the ring's centre, in inner radii of the ring. */
+#define HANDLE_AT 2.3f
 #define PLATE_WIDTH 200.0f
 #define PLATE_WIDTH_MIN 152.0f
 /* Width in layout units from which a plate has room for the picture of the player's level. */
@@ -145,4 +147,19 @@ void ui_bowl_marks(const struct ui_frame *frame, float alpha)
         }
     }
     frame->batch->opacity = 1.0f;
+}
+
+void ui_handle_marks(const struct ui_frame *frame)
+{
+    const float radius = 16.5f * frame->unit, edge = radius + 2.0f * frame->unit;
+    for (uint32_t i = 0; i < POI_MAX && ui_player_count(frame->scene) > 1u; i++) {
+        const struct scene_poi *const poi = &frame->scene->poi[i];
+        if (frame->scene->player[i].plays && poi->present) {
+            const struct basis axes = vec_basis_from_angles(poi->angles);
+            const struct ui_point at = ui_project(
+                frame, v3_muladd(poi->position_m, axes.back, HANDLE_AT * poi->ring_radius_m));
+            ui_player_mark(frame, fminf(fmaxf(at.x, edge), frame->width - edge),
+                           fminf(fmaxf(at.y, edge), frame->height - edge), radius, i);
+        }
+    }
 }

@@ -274,6 +274,7 @@ void ui_round(const struct ui_frame *frame)
         }
         state_plate(frame, player, true);
     }
+    ui_handle_marks(frame);
     ui_near_misses(frame);
     ui_bowl_marks(frame, 1.0f - f_smoothstep(BOWL_MARKS_S - 0.5f, BOWL_MARKS_S, scene->phase_s));
     bool shows_stress = false;

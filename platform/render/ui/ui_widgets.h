@@ -100,6 +100,10 @@ float ui_player_plates(const struct ui_frame *frame, float right_px);
  * the players of the round have a number. */
 void ui_bowl_marks(const struct ui_frame *frame, float alpha);
 
+/* Draws the players' numbers on the handles of their pois if there are several players, so that
+ * nobody needs the colour of a ring to find the own poi. */
+void ui_handle_marks(const struct ui_frame *frame);
+
 /* Draws the lessons of all players into the tank: rings around fish, and arrows to the bowls. */
 void ui_lessons(const struct ui_frame *frame);
 

@@ -140,6 +140,10 @@ static void test_the_middle_of_the_tank_is_uncovered_during_a_round(void **state
     for (size_t s = 0; s < SIZE_COUNT; s++) {
         for (uint8_t hint = 0; hint < HINT_COUNT; hint++) {
             set_scene(PHASE_ROUND, hint % LANGUAGE_COUNT, hint, 20.0f);
+            for (uint32_t i = 0; i < POI_MAX; i++) { /* The numbers follow the pois, which are
+                                                        outside the middle here. */
+                scene.poi[i].position_m.x = i % 2u == 0 ? -3.0f : 3.0f;
+            }
             lay_out(sizes[s]);
             for (uint32_t i = 0; i < batch.quad_count; i++) {
                 const struct bounds bounds = bounds_of(i);
@@ -596,6 +600,22 @@ static void test_caught_fish_fly_to_the_counter_and_count_there(void **state)
     assert_int_equal(shown, 2);
 }
 
+static void test_each_handle_has_the_number_of_its_player(void **state)
+{
+    (void)state;
+    uint32_t letters[3];
+    for (uint32_t shown = 0; shown < 3u; shown++) {
+        set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
+        set_match(MODE_FESTIVAL, 3, 1);
+        scene.poi[1].present = shown > 0;
+        scene.poi[2].present = shown > 1;
+        lay_out(sizes[0]);
+        letters[shown] = glyph_quads();
+    }
+    assert_int_equal(letters[1] - letters[0], 1);
+    assert_int_equal(letters[2] - letters[1], 1);
+}
+
 static void test_a_near_miss_is_named_beside_its_poi_for_a_moment(void **state)
 {
     (void)state;
@@ -643,6 +663,7 @@ int main(void)
         cmocka_unit_test(test_a_present_swims_into_a_bowl_on_the_result),
         cmocka_unit_test(test_the_tears_of_several_players_are_shown_in_turn),
         cmocka_unit_test(test_caught_fish_fly_to_the_counter_and_count_there),
+        cmocka_unit_test(test_each_handle_has_the_number_of_its_player),
         cmocka_unit_test(test_a_near_miss_is_named_beside_its_poi_for_a_moment),
         cmocka_unit_test(test_the_largest_screen_leaves_quads_for_longer_languages),
     };
