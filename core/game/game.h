@@ -2,8 +2,8 @@
  *
  * The phases are attract, mode selection, ready, round, result, name, leaderboard and album, plus
  * the growth lab and the operator's menu. Each phase works on `struct game`. phases.h declares the
- * functions of the phases. game_tick.c runs the steps of a tick and includes every phase, and no
- * phase includes a header that belongs to game_tick.c alone. Differences between modes are data
+ * functions of the phases. game_tick.c runs the steps of a tick and calls every phase. No phase
+ * includes a header that belongs to game_tick.c alone. Differences between modes are data
  * (rules.h). */
 #pragma once
 

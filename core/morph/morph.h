@@ -103,11 +103,11 @@ bool graph_solve(const struct graph *graph, uint32_t key_count,
 enum graph_template {
     TEMPLATE_OWN = 0,  /* The species keeps its own graphs. */
     TEMPLATE_ORDINARY, /* Only the first and the last key are blended (2005 thesis, eq. 3.1). */
-    /* Two adjacent keys are blended at a time, and each key reaches the weight 1 (2005 thesis,
+    /* Two adjacent key shapes are blended at a time, and each reaches the weight 1 (2005 thesis,
      * figure 3.8). */
     TEMPLATE_PAIRWISE,
-    /* Three adjacent keys are blended at a time (2005 thesis, figure 3.9). At the progress of an
-     * inner key, the inner key has the weight `peak`, and each of its two neighbours has the weight
+    /* Three adjacent key shapes are blended at a time (2005 thesis, figure 3.9). At the growth
+     * progress of an inner key shape, this shape has the weight `peak`, and each of its two neighbours has the weight
      * (1 - peak) / 2. */
     TEMPLATE_SIMULTANEOUS,
     /* The weights at each key are those of a cubic B-spline, so that the path of a vertex has no

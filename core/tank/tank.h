@@ -78,7 +78,8 @@ struct tank_config {
     float pressure_hpa;
     /* Dissolved oxygen at the start: 0 .. OXYGEN_MAX_MG_L, or TANK_OXYGEN_SATURATED. */
     float oxygen_mg_l;
-    /* Speed of the oxygen balance, 0 .. OXYGEN_TIME_COMPRESSION_MAX (oxygen.h). */
+    /* Factor by which oxygen changes faster than in reality, 0 .. OXYGEN_TIME_COMPRESSION_MAX
+     * (oxygen.h). */
     float time_compression;
     bool pump; /* True if the air pump runs, so that the air stone bubbles. */
     /* Number of bowls, 0 .. POI_MAX. No fish starts under a bowl. */

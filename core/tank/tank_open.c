@@ -20,7 +20,7 @@
 /* Largest number of attempts to place all fish at random when a tank is opened. In 1 % of the
  * smallest tanks, the fish of the first attempt cannot be separated. */
 #define START_DRAWS_MAX 8u
-/* Largest distance by which a round pushes a fish when the fish are separated at the start. */
+/* Largest distance by which one round of pushes moves a fish. */
 #define START_SHOVE_M 0.004f
 
 /* ---- Validation of the configuration --------------------------------------------------------- */

@@ -109,8 +109,8 @@ struct event {
     uint64_t frame_ns;
     float x_px;       /* New x position of the pointer in pixels. The old position is 640. */
     uint32_t buttons; /* New state of the buttons. No button was held before the event. */
-    /* The effect counts as visible when the two ring positions differ by more than this distance in
-     * pixels. */
+    /* The effect counts as visible when the ring is more than this distance, in pixels, from its
+     * position in a game without the event. */
     float seen_px;
     /* Time for drawing that is added to the latency; 0 measures only until the scene is passed to
      * the display. */

@@ -125,8 +125,8 @@ static enum stage enter(enum stage stage)
         return result;                                                                             \
     }
 
-/* Functions of the core that are wrapped to measure their stage. The list in bench.mk must have the
- * same names. */
+/* Functions of the core whose time is measured: each call is wrapped, and its time is added to the
+ * stage of the tick in the first column. The list in bench.mk must have the same names. */
 WRAP(MOVE, swim_move_all, (const struct shoal *shoal, uint32_t lanes), (shoal, lanes))
 WRAP(SYNC, broad_phase_mark,
      (struct broad_phase * broad_phase, const struct fish *fish, uint32_t count),

@@ -37,7 +37,7 @@ int eye_open(struct eye *eye, const char *window);
  * exists. */
 int eye_capture(struct eye *eye, struct rect wanted);
 
-/* Returns the warm pixels in a square around the given centre. `reach_px` is half the side of the
+/* Returns the warm pixels (the reddish pixels of fish) in a square around the given centre. `reach_px` is half the side of the
  * square in pixels. */
 struct blob eye_blob(const struct eye *eye, float centre_x, float centre_y, int reach_px);
 

@@ -148,9 +148,9 @@ static enum exit_code draw_growth(const struct morph_options *pick)
 
 /* ---- Input models ---------------------------------------------------------------------------- */
 
-/* Sets `portrait` to the shape that the game blends for key `key`. This is the shape of the species
- * text, unless graph_solve() computed an exaggerated shape, which compensates for a blend weight
- * that never reaches 1. */
+/* Sets `portrait` to the shape that the game blends for key `key`. If the blend weight of the key
+ * reaches 1, this is the shape of the species text (the maker's file that describes a species).
+ * Otherwise graph_solve() computed an exaggerated shape to compensate for the smaller weight. */
 static void take_model(const struct morph_options *pick, uint32_t key)
 {
     const struct species_mesh *mesh = &pick->fish->lod[0];

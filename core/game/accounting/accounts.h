@@ -56,7 +56,7 @@ struct ledger {
 /* Largest allowed value of the setting "fish per prize ticket". Most players catch fewer fish than
  * this value. */
 #define CREDIT_TICKET_FISH_MAX 20u
-/* Time for which the coin slot stays closed after a tilt. */
+/* Time for which the coin slot stays closed after the cabinet was shaken or tilted. */
 #define CREDIT_TILT_TICKS (3u * CORE_TICK_HZ)
 /* Longest time for which a START press waits until the paid credit is on disk. */
 #define CREDIT_AWAIT_TICKS (3u * CORE_TICK_HZ)
@@ -291,8 +291,8 @@ void credit_show(const struct accounts *accounts, const struct core_config *conf
  * Therefore each change of the score or the tickets is logged while the round runs (LEDGER_STAND).
  *
  * After a power cut, the next start writes the missing LEDGER_ROUND from the last LEDGER_STAND. A
- * change is logged only when the previous entry is on disk. The LEDGER_ROUND therefore lacks
- * changes that were still waiting for the previous entry at the power cut. */
+ * LEDGER_STAND is written only when the LEDGER_STAND before it is on disk. A change that was still
+ * waiting at the power cut is therefore missing in the LEDGER_ROUND. */
 
 /* Fraction of a round's length after which the credit of the round is not refundable: two
  * thirds. */

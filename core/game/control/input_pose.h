@@ -83,9 +83,10 @@ bool input_pose_is_jump(const struct poi_target *from, const struct poi_target *
                         bool has_wrist);
 
 /* Returns the pose on the way between the poses of two successive reports, which are `seconds`
- * apart. `share` is 0 at the first report and 1 at the second report. An invalid pose or a jump is
- * not interpolated, so that each invalid pose reaches the input validation unchanged. The result
- * then is the first pose until `share` is 1, or the second pose if the first pose is invalid. */
+ * apart. `share` is 0 at the first report and 1 at the second report. If a pose is invalid or the
+ * motion is a jump, the poses are not interpolated, so that an invalid pose reaches the input
+ * validation unchanged. In this case the result is the first pose until `share` is 1. If the first
+ * pose is invalid, the result is the second pose. */
 struct poi_target input_pose_between(const struct poi_target *from, const struct poi_target *to,
                                      float share, float seconds, bool has_wrist);
 

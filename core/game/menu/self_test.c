@@ -166,7 +166,7 @@ static void evaluate_machine(const struct scene_machine *machine, uint8_t state[
 
 /* Evaluates the self-test's checks of the parts that a player uses. The check of the pois is bad if
  * a slot in play has no controller or has late reports. A kiosk without input lines has neither a
- * lamp nor a coin slot, so the check of the lamp is then good unless the operator reports a fault.
+ * lamp nor a coin slot. The check of the lamp is then good, unless the operator answers No.
  * In free play coins are returned, so the check of the coins requires no coin. */
 static void evaluate_parts(const struct scene *scene, uint8_t state[SELF_CHECKS])
 {

@@ -1,11 +1,12 @@
 /* edges.c -- fuzz target: arbitrary edges and levels of an input line, which may contradict each
- * other. The filter must return alternating changes in the order of time. If the line stays
- * constant, the filter must accept its level.
+ * other. The edge filter (gpio_edge_filter.h) must return alternating changes in the order of time.
+ * If the line stays constant, the filter must accept its level.
  *
  * The input begins with two bytes: the debounce period in 0.1 ms, and the first level. Two bytes
  * follow for each step, the low byte first. Their bits, from the lowest, are 12 bits of time in
- * units of 50 us, three bits for the kind of step (an edge, a late edge, an edge after lost edges,
- * or a level), and the level. */
+ * units of 50 us, three bits for the kind of step, and the level. The kinds are an edge (0 and 1),
+ * an edge with an older time stamp (2), an edge after lost edges (3), and a level that was read (4 to
+ * 7). */
 #include "drivers/gpio/gpio_thread.h"
 #include "tests/fuzz/trap.h"
 

@@ -44,7 +44,7 @@ struct setting_words {
 const struct setting_words *menu_setting_words_of(uint32_t id);
 
 /* Writes the range and the default of a setting as a text, such as "free / paid / event standard
- * free". */
+ * free", where "free" is the default. */
 void menu_range_words(const struct ui_frame *frame, uint32_t id, char *out, size_t out_size);
 
 /* Returns the box of a tag on the screen. The box is empty if the tag is not available. */

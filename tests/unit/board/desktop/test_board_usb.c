@@ -262,9 +262,9 @@ static void hint_is(const char *text)
     assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES), text);
 }
 
-/* A device type that the operator has assigned to the USB driver ("plays") is hidden from SDL from
- * the start. A choice with a serial number (A1) must not be hidden, because SDL would then hide all
- * devices of this type. */
+/* The stored choices of the operator name the devices that the USB driver uses ("plays"). A choice
+ * without a serial number must be hidden from SDL from the start. A choice with the serial number A1
+ * must not be hidden, because SDL would then hide all devices of this product. */
 static void test_a_stored_choice_is_excluded_from_sdl_at_the_start(void **state)
 {
     (void)state;

@@ -133,7 +133,8 @@ static void test_a_torn_wire_gives_no_position_until_it_is_repaired(void **state
     board_pose_init(&pose, &config);
     sensor_twin_step(&twin, &hand, DT_S, &readings);
     const float whole = readings.wire[1];
-    /* Simulates a torn wire. Its spring winds it up completely, so its length is 0. */
+    /* Simulates a torn draw wire of the position sensor. The spring of the sensor winds the wire up
+     * completely, so its length is 0. */
     readings.wire[1] = 0.0f;
     board_pose_step(&pose, &readings, DT_S, &out);
     poi_report_encode(&out, bytes);

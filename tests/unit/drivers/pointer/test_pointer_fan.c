@@ -1,5 +1,5 @@
-/* test_pointer_fan.c -- tests a fan that is moved with the mouse, and the poi that stays in place
- * meanwhile. */
+/* test_pointer_fan.c -- tests the hand-held fan that a player moves over the water with the mouse,
+ * and the poi that stays in place meanwhile. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

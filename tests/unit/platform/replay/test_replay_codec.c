@@ -82,7 +82,8 @@ static void test_an_invalid_fan_encoding_is_rejected(void **state)
                                   mask names none of them. */
         { HANDS, SHADE_0, 0 }, /* Invalid: the mask names the first fan, but the mask of its fields
                                   is empty. */
-        /* Invalid: a fan has three floats, and the bit stands for a fourth one. */
+        /* Invalid: a fan has three floats, and the bit NO_SUCH in the mask of its fields names a
+         * fourth one. */
         { HANDS, SHADE_0, NO_SUCH },
         { HANDS, SHADE_0, BYTE, 2 }, /* Invalid: `present` may only be 0 or 1, not 2. */
         { HANDS, SHADE_0, X, inf[0], inf[1], inf[2], inf[3] },

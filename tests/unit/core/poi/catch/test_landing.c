@@ -157,7 +157,8 @@ static void test_a_fish_between_a_wall_and_a_pressing_ring_is_walled(void **stat
 }
 
 /* Scoops a fish that is 12 mm from the right wall, and moves to `to_x_m` during the lift. Returns 0
- * if the fish is not caught, 1 if it is caught, and 2 if it is caught but walled. */
+ * if the fish is not caught, 1 if it is caught, and 2 if it is caught while it was trapped between
+ * ring and wall. */
 static uint32_t scooped(float to_x_m)
 {
     fixture_init(&fixture, 4, 3);

@@ -6,8 +6,8 @@ static struct poi_fixture fixture;
 
 /* Returns the overlap of two carried fish in the plane of the paper, in metres; 0 or less means
  * that they do not overlap. Each fish is modelled as a capsule. The axis of the capsule is 0.60
- * body lengths long, and its radius is 0.36 of the height or width of the fish. The distance is
- * measured at 41 points of the axis. */
+ * body lengths long. Its radius is 0.36 of the height of a fish that lies on its side, and 0.36 of
+ * the width of an upright fish. The distance is measured at 41 points of the axis. */
 static float overlap_m(const struct carried_fish *a, const struct carried_fish *b)
 {
     const struct fish *fish_a = &fixture.tank.fish[a->fish], *fish_b = &fixture.tank.fish[b->fish];

@@ -278,8 +278,7 @@ static void test_whole_paper_reaches_the_ring_and_a_bare_ring_has_none(void **st
         sheet.state[cell] = sheet.state[cell] == CELL_PAPER ? CELL_HOLE : sheet.state[cell];
     }
     const uint32_t middle = SHEET_SIDE / 2u * SHEET_SIDE + SHEET_SIDE / 2u;
-    /* Leaves only one cell of paper, in the middle. The narrow remains of paper at the ring do not
-     * count. */
+    /* Leaves only one cell of paper, in the middle. */
     sheet.state[middle] = CELL_PAPER;
     sheet.paper_cells = 1;
     count_held(&sheet, &held, &asked);
@@ -334,7 +333,8 @@ static void test_stress_factors_multiply_where_the_wet_line_meets_the_ring(void 
     const uint32_t line = SHEET_SIDE / 2u - 1u;
     const float off = stress_at(&sheet, SHEET_SIDE / 2u, line - 4u);
     assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, line) / off, 2.5f, 0.1f);
-    /* Stress at the ring (row 0), in a column that is two columns away from the wet line. */
+    /* Stress at the ring (row 0), in a column that is two columns away from the boundary between wet
+     * and dry paper. */
     const float ring = stress_at(&sheet, 0, line - 2u);
     assert_float_equal(stress_at(&sheet, 0, line) / ring, 2.5f, 0.15f);
     assert_float_equal(ring / stress_at(&sheet, 3, line - 2u), 1.5f, 0.15f);

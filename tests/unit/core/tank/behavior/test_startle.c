@@ -112,7 +112,7 @@ static void test_a_small_image_never_looms(void **state)
 static void test_a_pressure_stimulus_grows_with_speed_squared_and_is_zero_in_air(void **state)
 {
     (void)state;
-    /* The disc moves away from this position, so its image does not grow. */
+    /* The disc moves away from this position, so the disc does not grow in the eye of the fish. */
     const vec3 behind = { -0.04f, -0.05f, 0.0f };
     struct obstacle fast = broadside_disc(0.4f);
     assert_int_equal(ticks_to_start(broadside_disc(0.08f), fish_at(behind), 1), NEVER);

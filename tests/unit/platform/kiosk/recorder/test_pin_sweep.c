@@ -42,8 +42,10 @@ static size_t replay_size, found_size;
 static uint8_t memory[SESSION_RECORDER_SIZE];
 static bool hand_is_away; /* True while no controller is connected to the tested core. */
 static bool types_pin;    /* True if keep_as_before() also types the PIN in the menu. */
-static bool refuses_core; /* True if core_init() must fail for the core that the sweep runs. */
-static char logged[400];  /* Messages of the last sweep_all(). */
+/* True if core_init() must fail for the core with which the sweep (the removal of PINs from stored
+ * replays) simulates a replay. */
+static bool refuses_core;
+static char logged[400];                          /* Messages of the last sweep_all(). */
 static uint8_t large[SESSION_RECORDER_SIZE + 1u]; /* Buffer for a replay that is one byte too large
                                                      for the sweep. */
 
@@ -421,8 +423,8 @@ static void test_a_replay_of_another_score_is_cleared_and_still_reported(void **
 }
 
 /* In a replay of format 7, a PIN may have been typed during the recording even if the initial
- * settings have no PIN. The sweep therefore replays every such recording and stores it in the
- * current format. */
+ * settings have no PIN. Only a simulation of the replay shows whether a PIN was typed. The sweep
+ * therefore simulates every such replay and stores it in the current format. */
 static void test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_format(void **state)
 {
     (void)state;
