@@ -18,7 +18,8 @@ enum setting_id {
     SET_COIN_1,   /* Value in units of one pulse of the first coin line. */
     SET_COIN_2,
     SET_COIN_3,
-    /* Coin units that a player must insert before a round to receive the bonus; 0 means no bonus. */
+    /* Coin units that a player must insert before a round to receive the bonus; 0 means no
+     * bonus. */
     SET_BONUS_UNITS,
     SET_BONUS_CREDITS, /* Number of credits that the bonus adds. */
     SET_CREDIT_MAX,

@@ -107,8 +107,8 @@ enum graph_template {
      * figure 3.8). */
     TEMPLATE_PAIRWISE,
     /* Three adjacent key shapes are blended at a time (2005 thesis, figure 3.9). At the growth
-     * progress of an inner key shape, this shape has the weight `peak`, and each of its two neighbours has the weight
-     * (1 - peak) / 2. */
+     * progress of an inner key shape, this shape has the weight `peak`, and each of its two
+     * neighbours has the weight (1 - peak) / 2. */
     TEMPLATE_SIMULTANEOUS,
     /* The weights at each key are those of a cubic B-spline, so that the path of a vertex has no
      * corner. */

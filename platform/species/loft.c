@@ -1,6 +1,6 @@
 /* loft.c -- converts the smooth shape of each key (modelled growth stage) to a mesh of rings along
- * the body, and computes the masks of each vertex (the influence of each growth curve on the vertex).
- * loft_parts.c adds the fins and the eyes.
+ * the body, and computes the masks of each vertex (the influence of each growth curve on the
+ * vertex). loft_parts.c adds the fins and the eyes.
  *
  * All keys of a species use equal numbers of rings, spokes and rays. Each vertex therefore has a
  * corresponding vertex in every other key. The morph requires this of its input shapes (2005

@@ -214,8 +214,8 @@ static bool read_area(struct species_reader *r)
             species_reader_error(r, "the area ends before it starts"));
 }
 
-/* Checks that all keys (modelled growth stages) have been defined before the first morph graph. Each
- * knot (support point) of a graph has one weight for each key. */
+/* Checks that all keys (modelled growth stages) have been defined before the first morph graph.
+ * Each knot (support point) of a graph has one weight for each key. */
 static bool are_keys_complete(const struct species_reader *r)
 {
     return r->species->card.key_count >= 3 ||

@@ -37,8 +37,8 @@ int eye_open(struct eye *eye, const char *window);
  * exists. */
 int eye_capture(struct eye *eye, struct rect wanted);
 
-/* Returns the warm pixels (the reddish pixels of fish) in a square around the given centre. `reach_px` is half the side of the
- * square in pixels. */
+/* Returns the warm pixels (the reddish pixels of fish) in a square around the given centre.
+ * `reach_px` is half the side of the square in pixels. */
 struct blob eye_blob(const struct eye *eye, float centre_x, float centre_y, int reach_px);
 
 /* Finds the fish again that was near (x, y) in the previous picture. The search moves step by step

@@ -8,9 +8,9 @@
 int shot_menu_exists(const char *page, uint8_t step);
 
 /* Opens the menu on `page`, a name of the table `names` in shot_menu.c. The meaning of `step`
- * depends on the page. On the learn page and the calibration page, `step` is the step of the wizard.
- * On a page with settings and on the controller page, it is the selected row. On the files page, it
- * is the number of presses of MORE. */
+ * depends on the page. On the learn page and the calibration page, `step` is the step of the
+ * wizard. On a page with settings and on the controller page, it is the selected row. On the files
+ * page, it is the number of presses of MORE. */
 void shot_menu_open(struct core *core, const char *page, uint8_t step, int upright);
 
 /* Fills in example names of controllers, example lines of the device search, and example files from

@@ -109,9 +109,10 @@ static bool is_better(const struct usb_choice *choice, const struct usb_interfac
 }
 
 /* Reads the device at `device->port` and selects its best interface for the kiosk
- * (usb_choice_is_better()). An interface that the kiosk can use at once is preferred. The
- * next best is one whose descriptor must be read first, then one that the operator must teach. For a HID interface,
- * `best->subject` points to `device->identity`. `device` must therefore outlive `best`. */
+ * (usb_choice_is_better()). An interface that the kiosk can use at once is preferred. The next best
+ * is one whose descriptor must be read first, then one that the operator must teach. For a HID
+ * interface, `best->subject` points to `device->identity`. `device` must therefore outlive
+ * `best`. */
 static void read_usb(const struct doctor *doctor, const struct usb_choice *choice,
                      struct usb_device *device, struct usb_interface *best)
 {

@@ -15,8 +15,8 @@
  * the time constant is half as long. */
 #define EASE_S 0.10f
 #define HEIGHT_EASE_S 0.08f
-/* Gain of the thumb on the stick: the speed of the ring in pixels per second, divided by its distance
- * from the goal in pixels. */
+/* Gain of the thumb on the stick: the speed of the ring in pixels per second, divided by its
+ * distance from the goal in pixels. */
 #define STICK_PER_S 3.0f
 #define PX_PER_M 1800.0f /* Mean size of one metre of the tank on the screen, in pixels. */
 #define STICK_FULL 32767.0f

@@ -5,8 +5,8 @@
  * The input begins with two bytes: the debounce period in 0.1 ms, and the first level. Two bytes
  * follow for each step, the low byte first. Their bits, from the lowest, are 12 bits of time in
  * units of 50 us, three bits for the kind of step, and the level. The kinds are an edge (0 and 1),
- * an edge with an older time stamp (2), an edge after lost edges (3), and a level that was read (4 to
- * 7). */
+ * an edge with an older time stamp (2), an edge after lost edges (3), and a level that was read (4
+ * to 7). */
 #include "drivers/gpio/gpio_thread.h"
 #include "tests/fuzz/trap.h"
 

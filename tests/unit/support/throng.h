@@ -1,5 +1,5 @@
-/* throng.h -- many fish at random places in a tank with the size of the 2013 thesis' tank, for tests
- * of the neighbour search. */
+/* throng.h -- many fish at random places in a tank with the size of the 2013 thesis' tank, for
+ * tests of the neighbour search. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_THRONG_H
 #define KINGYO_TESTS_UNIT_SUPPORT_THRONG_H
 

@@ -263,8 +263,8 @@ static void hint_is(const char *text)
 }
 
 /* The stored choices of the operator name the devices that the USB driver uses ("plays"). A choice
- * without a serial number must be hidden from SDL from the start. A choice with the serial number A1
- * must not be hidden, because SDL would then hide all devices of this product. */
+ * without a serial number must be hidden from SDL from the start. A choice with the serial number
+ * A1 must not be hidden, because SDL would then hide all devices of this product. */
 static void test_a_stored_choice_is_excluded_from_sdl_at_the_start(void **state)
 {
     (void)state;

@@ -74,8 +74,9 @@ static void test_masks_are_those_of_the_whole_fish(void **state)
 }
 
 /* The tip of the fin is 0.4 above its anchor, and the anchor is on the back at 0.2, so the tip is
- * at 0.6. The coordinates of the original mesh reach only to 0.5. The converted mesh has no anchors,
- * so its own coordinates must hold the tip: `reach` must increase from 0.5 to the next size, 1. */
+ * at 0.6. The coordinates of the original mesh reach only to 0.5. The converted mesh has no
+ * anchors, so its own coordinates must hold the tip: `reach` must increase from 0.5 to the next
+ * size, 1. */
 static void test_distant_points_on_anchors_widen_the_bounds(void **state)
 {
     (void)state;

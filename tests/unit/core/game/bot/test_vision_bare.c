@@ -157,8 +157,8 @@ static void keep_tank(struct tank *tank, const struct tank *from)
            sizeof from->water.height_m[newest]);
 }
 
-/* Makes a reduced copy of the core. Members that a bot may see are copied, and all other members are
- * filled with NONSENSE. */
+/* Makes a reduced copy of the core. Members that a bot may see are copied, and all other members
+ * are filled with NONSENSE. */
 static void bare_of(struct core *core, const struct core *from)
 {
     memset(core, NONSENSE, sizeof *core);

@@ -333,8 +333,8 @@ static void test_stress_factors_multiply_where_the_wet_line_meets_the_ring(void 
     const uint32_t line = SHEET_SIDE / 2u - 1u;
     const float off = stress_at(&sheet, SHEET_SIDE / 2u, line - 4u);
     assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, line) / off, 2.5f, 0.1f);
-    /* Stress at the ring (row 0), in a column that is two columns away from the boundary between wet
-     * and dry paper. */
+    /* Stress at the ring (row 0), in a column that is two columns away from the boundary between
+     * wet and dry paper. */
     const float ring = stress_at(&sheet, 0, line - 2u);
     assert_float_equal(stress_at(&sheet, 0, line) / ring, 2.5f, 0.15f);
     assert_float_equal(ring / stress_at(&sheet, 3, line - 2u), 1.5f, 0.15f);
