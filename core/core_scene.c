@@ -68,6 +68,24 @@ static void show_thrash(const struct poi *poi, uint32_t tick, struct scene_fish 
     }
 }
 
+/* Time in ticks in which a present falls into the bowl, and the height from which it falls. */
+#define PRESENT_TICKS (CORE_TICK_HZ / 2u)
+#define PRESENT_FALL_M 0.20f
+
+/* Shows the presents falling into their bowls at the start of PHASE_RESULT. In the state they are
+ * in the bowls from the first tick. */
+static void show_presents(const struct game *game, struct scene_fish fish[])
+{
+    const uint32_t elapsed = game->tick - game->phase_tick;
+    const float left = 1.0f - f_min((float)elapsed / (float)PRESENT_TICKS, 1.0f);
+    for (uint32_t i = 0; i < game->album.fish_count && game->phase == PHASE_RESULT; i++) {
+        struct scene_fish *shown = &fish[game->album.fish[i].fish];
+        if (album_has_present(game, game->album.fish[i].owner) && shown->place == SCENE_IN_BOWL) {
+            shown->position_m.y += PRESENT_FALL_M * left * (2.0f - left);
+        }
+    }
+}
+
 /* Copies values into the cells outside the ring, so that a renderer can interpolate between cells.
  * Each outside cell receives the value of the nearest paper cell in its row. */
 static void spread_to_rim(const struct sheet *sheet, uint8_t cells[SHEET_CELL_COUNT])
@@ -255,6 +273,7 @@ void core_scene(const struct core *core, struct scene *scene)
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         show_fish(&tank->fish[i], core->game.tick, &scene->fish[i]);
     }
+    show_presents(&core->game, scene->fish);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         show_thrash(&core->world.poi[i], core->game.tick, scene->fish);
         show_poi(core, i, &scene->poi[i]);

@@ -59,6 +59,7 @@ FEATURE_LINES = {
     'lessons: a ring around an easy fish, and an arrow to the bowl': 206,
     'caught fish that fly to the counter, and the word for a near miss': 201,
     'a click to dip, the reach of pointers, and a number on each handle': 62,
+    'the fall of a present into its bowl': 15,
     'a bound for the rewritten part of the write-ahead log': 24,
 }
 

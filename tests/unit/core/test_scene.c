@@ -123,6 +123,31 @@ static void test_a_lifted_fish_thrashes_from_its_first_tick_on_the_paper(void **
     assert_float_equal(scene.fish[7].bend_rad, 0.0f, 0.0f);
 }
 
+static float height_of_present(uint32_t elapsed)
+{
+    core.game.phase_tick = core.game.tick - elapsed;
+    core_scene(&core, &scene);
+    return scene.fish[9].position_m.y - core.world.tank.fish[9].position_m.y;
+}
+
+static void test_a_present_falls_into_its_bowl_in_half_a_second(void **state)
+{
+    (void)state;
+    core.game.tick = 1000;
+    core.game.phase = PHASE_RESULT;
+    core.game.player[0].plays = 1;
+    core.game.album.fish_count = 1;
+    core.game.album.fish[0] = (struct album_fish){ .fish = 9, .owner = 0 };
+    core.world.tank.fish[9].gait = GAIT_BOWL;
+    assert_float_equal(height_of_present(0), 0.20f, 1e-5f);
+    assert_true(height_of_present(30) > 0.1f); /* A fall begins slowly. */
+    assert_true(height_of_present(50) < height_of_present(30));
+    assert_float_equal(height_of_present(60), 0.0f, 1e-6f);
+    assert_float_equal(height_of_present(600), 0.0f, 0.0f);
+    core.game.player[0].caught = 1; /* A caught fish is no present and already lies in the bowl. */
+    assert_float_equal(height_of_present(0), 0.0f, 0.0f);
+}
+
 static float maturity_at(float age_days)
 {
     core.world.tank.fish[0].age_days = age_days;
@@ -372,6 +397,7 @@ int main(void)
         TEST(test_the_fish_of_a_festival_have_many_ages),
         TEST(test_fish_have_the_positions_of_the_tank),
         TEST(test_a_lifted_fish_thrashes_from_its_first_tick_on_the_paper),
+        TEST(test_a_present_falls_into_its_bowl_in_half_a_second),
         TEST(test_fish_redden_between_fifty_and_a_hundred_and_twenty_days),
         TEST(test_paper_shows_wetness_damage_and_holes),
         TEST(test_a_poi_is_shown_with_its_position_belly_and_remaining_paper),
