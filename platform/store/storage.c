@@ -94,7 +94,8 @@ static const char *storage_describe(void *self)
         char what[80] = "missing", lost[24] = "unknown how many";
         if (!storage->was_missing) {
             snprintf(what, sizeof what,
-                     "damaged and set aside as " STORAGE_FILE STORAGE_QUARANTINE_SUFFIX "%u", number);
+                     "damaged and set aside as " STORAGE_FILE STORAGE_QUARANTINE_SUFFIX "%u",
+                     number);
         }
         if (!storage->salvaged.is_open_ended) {
             snprintf(lost, sizeof lost, "%u", storage->salvaged.lost);

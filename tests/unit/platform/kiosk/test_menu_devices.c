@@ -1,5 +1,5 @@
-/* test_menu_devices.c -- Tests the operator's menu, which has two buttons. In the menu, the operator
- * also teaches the kiosk the axes of a controller.
+/* test_menu_devices.c -- Tests the operator's menu, which has two buttons. In the menu, the
+ * operator also teaches the kiosk the axes of a controller.
  *
  * The tests send button presses and raw HID reports, and check the scene and the pose of the ring.
  * The decoder, the mapping store and the frame loop are real. */

@@ -1,6 +1,6 @@
-/* test_power_cut.c -- checks that a power cut at any time neither loses nor repeats a ledger entry that
- * the store had reported as saved. The test computes the expected balance from the inserted coins
- * and from the entries on a simulated disk. */
+/* test_power_cut.c -- checks that a power cut at any time neither loses nor repeats a ledger entry
+ * that the store had reported as saved. The test computes the expected balance from the inserted
+ * coins and from the entries on a simulated disk. */
 #include "core/game/accounting/accounts.h"
 #include "core/game/phases.h"
 #include "tests/unit/support/game_fixture.h"
