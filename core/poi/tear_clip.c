@@ -10,9 +10,9 @@
 #define DRY_SHARE 0.02f
 /* Acceleration above which a ring in the air counts as jerked. */
 #define JERK_M_S2 3.0f
-/* Mean time (40 s), as a fraction of SHEET_SOAK_TICKS, after which wet paper counts as soaked too
- * long. Damage then grows six times as fast as in fresh wet paper. */
-#define SOAKED_SHARE 0.667f
+/* Mean time (12 s), as a fraction of SHEET_SOAK_TICKS, after which wet paper counts as soaked too
+ * long. The stroke of a dip then does 1.7 times the damage that it does to fresh wet paper. */
+#define SOAKED_SHARE 0.2f
 /* Tension, as a fraction of the strength of fresh wet paper, below which a load counts as moderate.
  * Simulated visitors who move with care reach about 0.5 of that strength. */
 #define MODERATE_SHARE 0.567f
@@ -39,7 +39,22 @@ static float soaked_share(const struct sheet *sheet)
     return (float)ticks / f_max((float)sheet->paper_cells_new, 1.0f) / (float)SHEET_SOAK_TICKS;
 }
 
-uint8_t tear_cause_of(const struct poi *poi)
+/* Returns the highest tension in the paper as a fraction of the strength of fresh wet paper. */
+static float tension_share(const struct poi *poi)
+{
+    return poi->strain.tension_max_n_m / sheet_grade(poi->sheet.grade)->wet_n_m;
+}
+
+/* Returns the damage of one tick, which has the exponent SHEET_DAMAGE_EXPONENT. The value is
+ * positive for a high load and negative for a moderate load. */
+static float haste_in_tick(const struct poi *poi)
+{
+    const float share = tension_share(poi), square = share * share, fourth = square * square;
+    const float wear = fourth * fourth * square;
+    return share < MODERATE_SHARE ? -wear : wear;
+}
+
+uint8_t tear_cause_of(const struct tear_clip *clip, const struct poi *poi)
 {
     CORE_ASSERT(poi->slap_count <= poi->load_count);
     const struct sheet *sheet = &poi->sheet;
@@ -47,7 +62,9 @@ uint8_t tear_cause_of(const struct poi *poi)
     if (poi->strain.cells_torn == 0) {
         return TEAR_NONE;
     }
-    if (poi->strain.tension_max_n_m < MODERATE_SHARE * grade->wet_n_m &&
+    /* A moderate load tears paper that earlier loads have damaged. If high loads did most of this
+     * damage, the paper was not soaked too long. */
+    if (tension_share(poi) < MODERATE_SHARE && clip->haste <= 0.0f &&
         soaked_share(sheet) > SOAKED_SHARE) {
         return TEAR_SOAKED;
     }
@@ -97,7 +114,8 @@ void tear_clip_tick(struct tear_clip *clip, const struct poi *poi, uint32_t tick
 {
     CORE_ASSERT(clip->next < TEAR_CLIP_FRAMES && clip->count <= TEAR_CLIP_FRAMES);
     if (clip->cause == TEAR_NONE) {
-        clip->cause = tear_cause_of(poi);
+        clip->haste += haste_in_tick(poi);
+        clip->cause = tear_cause_of(clip, poi);
     }
     if (tick % TEAR_CLIP_FRAME_TICKS != 0 || clip->after == TEAR_CLIP_FRAMES_AFTER) {
         return;

@@ -39,13 +39,16 @@ struct tear_clip {
     /* Number of frames since the first tear. The recording ends after TEAR_CLIP_FRAMES_AFTER
      * frames. */
     uint8_t after;
+    /* Damage that high loads have done to the paper minus the damage that moderate loads have done.
+     * The unit is the damage of one tick at the strength of fresh wet paper. */
+    float haste;
     struct tear_frame frames[TEAR_CLIP_FRAMES];
 };
 
-/* Returns the cause (enum tear_cause) for which the paper of `poi` tears in this tick. The result
- * is TEAR_NONE if no cell tore. Must be called between poi_apply_reaction() and catch_tick(), which
- * changes the loads on the paper. */
-uint8_t tear_cause_of(const struct poi *poi);
+/* Returns the cause (enum tear_cause) for which the paper of `poi` tears in this tick. `clip` is
+ * the recording of the poi up to this tick. The result is TEAR_NONE if no cell tore. Must be called
+ * between poi_apply_reaction() and catch_tick(), which changes the loads on the paper. */
+uint8_t tear_cause_of(const struct tear_clip *clip, const struct poi *poi);
 
 /* Records one tick. `tick` is the number of the tick. Must be called at the same time as
  * tear_cause_of(). */

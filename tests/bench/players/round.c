@@ -48,7 +48,7 @@ static void observe_paper(struct player_round *result, const struct core *core)
         result->first_cause = core->world.tear_clip[0].cause;
         result->wet_s = mean_wet_s(&poi->sheet);
     }
-    result->cells[tear_cause_of(poi)] += poi->strain.cells_torn;
+    result->cells[tear_cause_of(&core->world.tear_clip[0], poi)] += poi->strain.cells_torn;
 }
 
 /* ---- Outcomes of attempts -------------------------------------------------------------------- */

@@ -29,7 +29,7 @@ static uint8_t cause_of_motion(float pitch_rad, vec3 step_m)
         fixture.hand.position_m = v3_add(fixture.hand.position_m, step_m);
         fixture_tick(&fixture);
         if (fixture.poi.strain.cells_torn > 0) {
-            return tear_cause_of(&fixture.poi);
+            return tear_cause_of(&clip, &fixture.poi);
         }
     }
     return TEAR_NONE;
@@ -71,10 +71,10 @@ static void test_fish_tear_the_paper_by_a_slap_or_by_their_weight(void **state)
 {
     (void)state;
     const struct sheet_load load = { 0.0f, 0.0f, 0.004f, -0.2f };
-    assert_int_equal(tear_cause_of(torn_by(1.0f, load, true)), TEAR_SLAP);
-    assert_int_equal(tear_cause_of(torn_by(1.0f, load, false)), TEAR_WEIGHT);
+    assert_int_equal(tear_cause_of(&clip, torn_by(1.0f, load, true)), TEAR_SLAP);
+    assert_int_equal(tear_cause_of(&clip, torn_by(1.0f, load, false)), TEAR_WEIGHT);
     fixture.poi.strain.cells_torn = 0;
-    assert_int_equal(tear_cause_of(&fixture.poi), TEAR_NONE);
+    assert_int_equal(tear_cause_of(&clip, &fixture.poi), TEAR_NONE);
 }
 
 static void test_water_above_the_surface_tears_by_its_weight_unless_the_poi_is_jerked(void **state)
@@ -84,9 +84,9 @@ static void test_water_above_the_surface_tears_by_its_weight_unless_the_poi_is_j
     poi->load_count = 0;
     poi->immersed = 0.0f;
     poi->pressure_pa = -200.0f;
-    assert_int_equal(tear_cause_of(poi), TEAR_WEIGHT);
+    assert_int_equal(tear_cause_of(&clip, poi), TEAR_WEIGHT);
     poi->acceleration_m_s2 = v3(0.0f, 6.0f, 0.0f);
-    assert_int_equal(tear_cause_of(poi), TEAR_FAST);
+    assert_int_equal(tear_cause_of(&clip, poi), TEAR_FAST);
 }
 
 static void soak(uint32_t ticks)
@@ -101,10 +101,34 @@ static void test_a_moderate_load_tears_only_paper_that_was_wet_for_long(void **s
     (void)state;
     const struct sheet_load load = { 0.0f, 0.0f, 0.004f, -0.2f };
     soak(SHEET_SOAK_TICKS / 10u);
-    assert_int_equal(tear_cause_of(torn_by(0.5f, load, true)), TEAR_SLAP);
+    assert_int_equal(tear_cause_of(&clip, torn_by(0.5f, load, true)), TEAR_SLAP);
     soak(SHEET_SOAK_TICKS);
-    assert_int_equal(tear_cause_of(torn_by(0.5f, load, true)), TEAR_SOAKED);
-    assert_int_equal(tear_cause_of(torn_by(1.0f, load, true)), TEAR_SLAP);
+    assert_int_equal(tear_cause_of(&clip, torn_by(0.5f, load, true)), TEAR_SOAKED);
+    assert_int_equal(tear_cause_of(&clip, torn_by(1.0f, load, true)), TEAR_SLAP);
+}
+
+/* Records 100 ticks in which the tension is `tension_share` of the paper's wet strength and no cell
+ * tears. */
+static void wear_out(float tension_share)
+{
+    struct poi *poi = torn_by(tension_share, (struct sheet_load){ 0 }, false);
+    poi->load_count = poi->strain.cells_torn = 0;
+    for (uint32_t tick = 0; tick < 100u; tick++) {
+        tear_clip_tick(&clip, poi, tick);
+    }
+}
+
+static void test_soaked_paper_that_earlier_haste_damaged_tears_because_of_haste(void **state)
+{
+    (void)state;
+    const struct sheet_load load = { 0.0f, 0.0f, 0.004f, 0.0f };
+    fixture.poi.immersed = 1.0f;
+    fixture.poi.velocity_m_s = v3(0.4f, 0.0f, 0.0f);
+    soak(SHEET_SOAK_TICKS / 4u);
+    wear_out(0.5f);
+    assert_int_equal(tear_cause_of(&clip, torn_by(0.5f, load, false)), TEAR_SOAKED);
+    wear_out(0.7f);
+    assert_int_equal(tear_cause_of(&clip, torn_by(0.5f, load, false)), TEAR_FAST);
 }
 
 static void test_the_recording_is_the_second_around_the_first_tear(void **state)
@@ -198,6 +222,8 @@ int main(void)
         cmocka_unit_test_setup(
             test_water_above_the_surface_tears_by_its_weight_unless_the_poi_is_jerked, setup),
         cmocka_unit_test_setup(test_a_moderate_load_tears_only_paper_that_was_wet_for_long, setup),
+        cmocka_unit_test_setup(test_soaked_paper_that_earlier_haste_damaged_tears_because_of_haste,
+                               setup),
         cmocka_unit_test_setup(test_the_recording_is_the_second_around_the_first_tear, setup),
         cmocka_unit_test_setup(test_the_recording_of_an_early_tear_is_shorter, setup),
         cmocka_unit_test_setup(test_without_a_tear_nothing_is_shown, setup),
