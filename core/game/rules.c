@@ -38,30 +38,37 @@ static const struct rules table[MODE_COUNT] = {
 };
 
 /* The values of the easier levels come from `make bench-players`. At these values, simulated
- * visitors who do not know the technique catch fish, and skill still pays at every level. */
+ * visitors who do not know the technique catch fish, and skill still pays at every level.
+ *
+ * - A much larger ring does not help, because the larger sheet pushes more water and more fish
+ *   away.
+ * - Strong smoothing does not help, because the ring then arrives late below the fish.
+ * - At normal the latency is almost that of living fish. A longer latency helps a player who chases
+ *   fish, but not a player who waits below the fish. A higher threshold helps both. */
 static const struct level_rules levels[LEVEL_COUNT] = {
     [LEVEL_MASTER] = { .name = "master", .ring_radius_m = POI_RADIUS_M },
     [LEVEL_NORMAL] = {
         .name = "normal",
         .ring_radius_m = 0.041f,
+        .grade_step = 1,
         .temper = {
-            .threshold_gain = 0.3f,
-            .latency_gain = 0.3f,
-            .reach_loss = 0.15f,
-            .calm_share = 0.1f,
+            .threshold_gain = 0.5f,
+            .latency_gain = 0.05f,
+            .reach_loss = 0.2f,
+            .calm_share = 0.2f,
         },
     },
     [LEVEL_EASY] = {
         .name = "easy",
-        .ring_radius_m = 0.046f,
+        .ring_radius_m = 0.042f,
         .grade_step = 2,
-        .stroke_s = 0.01f,
+        .stroke_s = 0.004f,
         .stroke_m_s = 0.8f,
         .temper = {
-            .threshold_gain = 1.0f,
-            .latency_gain = 1.0f,
-            .reach_loss = 0.4f,
-            .calm_share = 0.7f,
+            .threshold_gain = 0.6f,
+            .latency_gain = 0.6f,
+            .reach_loss = 0.3f,
+            .calm_share = 0.5f,
         },
     },
 };

@@ -68,8 +68,9 @@ float gait_depth_m(float stamina, float water_depth_m)
     return -share * water_depth_m;
 }
 
-/* Depth of the back of a calm fish (fish_is_calm()) below the surface. */
-#define CALM_DEPTH_M 0.006f
+/* Depth of the back of a calm fish (fish_is_calm()) below the surface. The slanted ring of a dip
+ * passes ahead of a fish at this depth. It would push down a fish that is close to the surface. */
+#define CALM_DEPTH_M 0.020f
 
 /* Returns the preferred depth of the fish for its present stamina (2013 thesis, section 3.6). */
 static float preferred_depth_m(const struct fish *fish, const struct temper *temper,

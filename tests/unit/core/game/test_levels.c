@@ -35,7 +35,7 @@ static void test_the_master_level_changes_nothing(void **state)
     assert_int_equal(core.world.poi[0].sheet.grade, GAME_POI_GRADE);
 }
 
-static void test_each_easier_level_has_a_larger_ring_and_calmer_fish(void **state)
+static void test_an_easier_level_has_a_larger_ring_stronger_paper_and_calmer_fish(void **state)
 {
     (void)state;
     for (uint8_t level = LEVEL_NORMAL; level < LEVEL_COUNT; level++) {
@@ -43,7 +43,7 @@ static void test_each_easier_level_has_a_larger_ring_and_calmer_fish(void **stat
         const struct level_rules *harder = rules_of_level((uint8_t)(level - 1u));
         assert_true(here->ring_radius_m > harder->ring_radius_m);
         assert_true(here->ring_radius_m <= POI_RADIUS_MAX_M);
-        assert_true(here->grade_step >= harder->grade_step);
+        assert_true(here->grade_step > harder->grade_step);
         assert_true(here->temper.threshold_gain > harder->temper.threshold_gain);
         assert_true(here->temper.latency_gain > harder->temper.latency_gain);
         assert_true(here->temper.reach_loss > harder->temper.reach_loss);
@@ -203,7 +203,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_master_level_changes_nothing),
-        cmocka_unit_test(test_each_easier_level_has_a_larger_ring_and_calmer_fish),
+        cmocka_unit_test(test_an_easier_level_has_a_larger_ring_stronger_paper_and_calmer_fish),
         cmocka_unit_test(test_a_round_uses_the_ring_the_paper_and_the_fish_of_its_level),
         cmocka_unit_test(test_the_championship_is_always_played_at_the_master_level),
         cmocka_unit_test(test_the_easy_level_limits_the_speed_of_a_poi_in_water),
