@@ -122,11 +122,11 @@ PLAYERS_OBJ := $(PERSON_OBJ) $(patsubst %,$(BUILD)/tests/bench/players/%.o,round
 LEVEL ?= master
 bench-players: SEEDS = 60
 
-## measure/bench-players: Measure the catches of simulated visitors; SEEDS=60, LEVEL=master
+## measure/bench-players: Measure the catches of visitors; SEEDS=60, LEVEL=master, ONLY=a,b
 bench-players:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_PLAYERS)
 	@mkdir -p $(BUILD)/players
-	@$(BENCH_PLAYERS) $(SEEDS) $(BUILD)/players --level $(LEVEL) --first $(FIRST)
+	@$(BENCH_PLAYERS) $(SEEDS) $(BUILD)/players --level $(LEVEL) --first $(FIRST) --only '$(ONLY)'
 
 $(BENCH_PLAYERS): %: %.o $(PLAYERS_OBJ) $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)

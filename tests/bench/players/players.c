@@ -1,7 +1,7 @@
 /* players.c -- checks how many fish simulated players with different habits and input devices
  * catch.
  *
- * Usage: players SEEDS OUT [--level LEVEL] [--first SEED] [--only PLAYER]
+ * Usage: players SEEDS OUT [--level LEVEL] [--first SEED] [--only PLAYER,PLAYER..]
  *
  * OUT is the folder of players.tsv. All players play the same seeds in the festival tank with 300
  * fish and No. 6 paper, for at most 60 s. Their input passes through the decoders of their input
@@ -34,8 +34,8 @@ static const char speaker[] = "players";
 struct player_options {
     uint32_t seeds, first;
     uint8_t level;
-    /* `only` is the name of the only player who plays; null means that all players play. */
-    const char *folder, *only;
+    const char *folder;
+    const char *only; /* Names of the players who play, separated by commas; empty means all. */
 };
 
 /* ---- Rounds on all cores --------------------------------------------------------------------- */
@@ -291,20 +291,34 @@ static bool read_options(int argc, char **argv, struct player_options *options)
     return true;
 }
 
+/* Returns true if the player is in the list, whose names are separated by commas. An empty list
+ * contains all players. */
+static bool is_listed(const char *list, const char *player)
+{
+    const size_t length = strlen(player);
+    for (const char *name = list; *name; name += strcspn(name, ",")) {
+        name += *name == ',';
+        if (strncmp(name, player, length) == 0 && strcspn(name, ",") == length) {
+            return true;
+        }
+    }
+    return *list == '\0';
+}
+
 int main(int argc, char **argv)
 {
-    struct player_options options = { .level = LEVEL_MASTER };
+    struct player_options options = { .level = LEVEL_MASTER, .only = "" };
     struct league_hall hall = { .options = &options, .lock = PTHREAD_MUTEX_INITIALIZER };
     if (read_options(argc, argv, &options)) {
         for (uint32_t i = 0; i < sim_player_table_count && i < PLAYERS_MAX; i++) {
-            if (!options.only || strcmp(options.only, sim_player_table[i].name) == 0) {
+            if (is_listed(options.only, sim_player_table[i].name)) {
                 hall.players[hall.player_count++] = &sim_player_table[i];
             }
         }
     }
     if (hall.player_count == 0) {
         fprintf(stderr,
-                "usage: players SEEDS OUT [--level LEVEL] [--first SEED] [--only PLAYER]; "
+                "usage: players SEEDS OUT [--level LEVEL] [--first SEED] [--only PLAYER,PLAYER..]; "
                 "SEEDS is 1 to %u\n",
                 SEEDS_MAX);
         return EXIT_USAGE;
