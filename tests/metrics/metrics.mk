@@ -5,4 +5,8 @@ metrics:
 	@board/setup.sh dev
 	@python3 tests/metrics/metrics.py --build $(BUILD)
 
-.PHONY: metrics
+## measure/same-code: Check that COMMIT, a pure rename, leaves the object code as it was
+same-code:
+	@tests/metrics/same_code.sh $(COMMIT)
+
+.PHONY: metrics same-code
