@@ -228,7 +228,7 @@ static void show_game(const struct core *core, struct scene *scene)
     CORE_ASSERT(game->language < LANGUAGE_COUNT);
     scene->phase = game->phase;
     scene->language = game->language;
-    scene->hint = game->hints.shown;
+    scene->hint = lesson_screen_hint(game);
     scene->phase_s = (float)(core->game.tick - game->phase_tick) * CORE_TICK_S;
     scene->veil = session_fade(&core->game, &core->config);
     scene->seconds_left = game_seconds_left(game, core->game.tick);

@@ -129,12 +129,24 @@ struct scene_pump {
     vec3 stone_m; /* Position of the air stone on the tank's floor. */
 };
 
+/* A translucent poi that shows the technique. */
+struct scene_ghost {
+    uint8_t is_present;
+    uint8_t carries; /* 1 if the ghost carries a fish, otherwise 0. */
+    float opacity;   /* [0, 1] */
+    vec3 position_m; /* Position of the ring's centre. */
+    struct angles angles;
+};
+
 /* Lesson of one player (core/game/lesson/lesson.h): aids that are drawn in the tank. */
 struct scene_lesson {
+    uint8_t hint; /* Hint beside the player's poi (enum scene_hint). */
+    float hint_s; /* Seconds since this hint appeared. */
     uint8_t marks_fish;     /* 1 if a ring marks the fish `fish`, otherwise 0. */
     uint8_t points_to_bowl; /* 1 if an arrow points from the poi to the bowl, otherwise 0. */
     uint16_t fish;          /* Index of the marked fish. */
     float mark_s;           /* Seconds since the fish was marked. */
+    struct scene_ghost ghost;
 };
 
 /* A fan held over the water, with its shadow. */
@@ -289,7 +301,7 @@ struct scene {
 
     uint8_t phase;    /* enum scene_phase */
     uint8_t language; /* enum language */
-    uint8_t hint;     /* enum scene_hint */
+    uint8_t hint;     /* Hint of the whole screen (enum scene_hint); `lesson` has the others. */
     float phase_s;    /* Seconds since the phase began. */
     /* Darkness of the tank in the fade between two sessions, [0, 1]. Text over the tank stays
      * bright. */

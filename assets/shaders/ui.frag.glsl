@@ -185,6 +185,37 @@ void main() {
     float body = min(abs(r - s.x + 0.5 * width) - 0.5 * width, handle);
     colour = over(paint(inner, cover(body)), paint(vec4(washi, inner.a * 0.94), sheet));
 }
+#elif defined(UI_GHOST)
+// A ghost poi (UI_GHOST): a poi whose ring is flattened by its slant, and the pale hand that holds
+// its handle. The ring is left of and above the middle of the quad.
+float rod(vec2 p, vec2 a, vec2 b, float radius) {
+    vec2 way = b - a, q = p - a;
+    return length(q - way * clamp(dot(q, way) / dot(way, way), 0.0, 1.0)) - radius;
+}
+void main() {
+    vec2 p = at / s.x + vec2(0.55, 1.6);
+    vec2 q = vec2(p.x, p.y / s.y);
+    float r = length(q), flat_ = mix(s.y, 1.0, abs(q.x) / max(r, 0.01));
+    float ring = (abs(r - 0.94) - 0.06) * flat_;
+    float handle = rod(p, vec2(0.10, s.y), vec2(0.55, 2.75), 0.085);
+    float fist = min(rod(p, vec2(0.62, 2.35), vec2(0.80, 2.75), 0.40),
+                     rod(p, vec2(0.85, 2.9), vec2(1.20, 4.1), 0.34));
+    float digits = rod(p, vec2(0.60, 2.05), vec2(0.16, 1.62), 0.13);
+    for (int i = 0; i < 4; i++) {
+        float k = float(i);
+        vec2 knuckle = vec2(0.55 + 0.07 * k, 2.12 + 0.22 * k);
+        digits = min(digits, rod(p, knuckle, knuckle + vec2(-0.36, 0.10), 0.125));
+    }
+    float palm = min(fist, digits);
+    vec4 skin = vec4(mix(vec3(0.45, 0.30, 0.25), vec3(1.0, 0.93, 0.84),
+                         cover((palm + 0.05) * s.x)), 1.0);
+    skin.rgb *= 1.0 - 0.30 * cover((abs(digits + 0.01) - 0.025) * s.x);
+    vec4 poi = over(paint(vec4(inner.rgb, 1.0), cover(min(ring, handle) * s.x)),
+                    paint(vec4(1.0, 0.98, 0.93, 0.42), cover((r - 0.92) * flat_ * s.x)));
+    // Under water (`s.z`) the poi has the colour of the water.
+    poi.rgb = mix(poi.rgb, vec3(0.25, 0.70, 0.82) * poi.a, 0.45 * s.z);
+    colour = over(paint(skin, cover(palm * s.x)), poi) * inner.a;
+}
 #elif defined(UI_WATER)
 // An aquarium (UI_WATER): slow shafts of light from above, water that becomes darker downward,
 // and drifting particles.

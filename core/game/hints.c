@@ -37,10 +37,22 @@ struct view_of_fish {
     bool above; /* True if a fish swims above the poi. */
 };
 
-/* Selects the first player who has a poi in use as the player who receives hints. Counts paper
- * cells torn while the ring moves too fast. Runs in every tick, because the speed may change
- * between two evaluations. If the player changes, the learned actions are reset. */
-static void watch_pupil(struct hints *hints, const struct world *world)
+/* Counts paper cells torn while the ring moves too fast. Runs in every tick, because the speed may
+ * change between two evaluations. */
+static void watch_paper(struct hints *hints, const struct world *world)
+{
+    CORE_ASSERT(hints->pupil < POI_MAX);
+    const struct poi *poi = &world->poi[hints->pupil];
+    const uint32_t now = poi->sheet.paper_cells;
+    if (now < hints->paper_cells && v3_length(poi->velocity_m_s) > HASTE_M_S) {
+        hints->haste_cells += hints->paper_cells - now;
+    }
+    hints->paper_cells = now;
+}
+
+/* Selects the first player who has a poi in use as the player who receives hints. If the player
+ * changes, the learned actions are reset. */
+static void select_pupil(struct hints *hints, const struct world *world)
 {
     uint8_t first = 0;
     while (first < POI_MAX && !player_has_poi(world, first)) {
@@ -52,13 +64,6 @@ static void watch_pupil(struct hints *hints, const struct world *world)
                                  .shown_tick = hints->shown_tick,
                                  .paper_cells = world->poi[first].sheet.paper_cells };
     }
-    CORE_ASSERT(hints->pupil < POI_MAX);
-    const struct poi *poi = &world->poi[hints->pupil];
-    const uint32_t now = poi->sheet.paper_cells;
-    if (now < hints->paper_cells && v3_length(poi->velocity_m_s) > HASTE_M_S) {
-        hints->haste_cells += hints->paper_cells - now;
-    }
-    hints->paper_cells = now;
 }
 
 /* Updates which actions the player has learned and whether the player moves the poi too fast.
@@ -188,16 +193,9 @@ static uint8_t choose_hint(const struct hints *hints, const struct game *game,
     }
 }
 
-void hints_tick(struct hints *hints, const struct game *game, const struct world *world,
-                const struct core_config *config)
+/* Returns the fish that the player who receives the hints sees at the own poi. */
+static struct view_of_fish view_at_poi(const struct hints *hints, const struct world *world)
 {
-    const bool edge =
-        game->tick == game->phase_tick; /* True in the first tick of a new phase. The hint rules
-                                           are always evaluated in this tick. */
-    watch_pupil(hints, world);
-    if (!edge && game->tick % LOOK_TICKS != 0) {
-        return;
-    }
     const struct poi *poi = &world->poi[hints->pupil];
     struct view_of_fish view = { 0 };
     for (uint32_t i = 0; i < world->tank.fish_count; i++) {
@@ -207,15 +205,51 @@ void hints_tick(struct hints *hints, const struct game *game, const struct world
         const bool near = d.x * d.x + d.z * d.z < ABOVE_M * ABOVE_M;
         view.above |= near && d.y > 0.0f && fish->gait < GAIT_HELD;
     }
+    return view;
+}
+
+bool hints_may_change(uint8_t shown, uint8_t next, uint32_t shown_ticks, const struct poi *poi)
+{
+    /* An urgent hint replaces the current hint immediately. Any other hint replaces it after the
+     * player has done the action of the current hint, or after HINT_TICKS_MIN. */
+    const bool is_urgent = next == HINT_TORN || next == HINT_LOST_POI;
+    const bool is_followed = (shown == HINT_LIFT && poi->immersed < 0.5f) ||
+                             (shown == HINT_DIP && poi->immersed > 0.5f);
+    return next != shown && (is_urgent || is_followed || shown_ticks >= HINT_TICKS_MIN);
+}
+
+void hints_tick(struct hints *hints, const struct game *game, const struct world *world,
+                const struct core_config *config)
+{
+    const bool edge =
+        game->tick == game->phase_tick; /* True in the first tick of a new phase. The hint rules
+                                           are always evaluated in this tick. */
+    select_pupil(hints, world);
+    watch_paper(hints, world);
+    if (!edge && game->tick % LOOK_TICKS != 0) {
+        return;
+    }
+    const struct view_of_fish view = view_at_poi(hints, world);
     observe(hints, game, world, view);
     const uint8_t next = choose_hint(hints, game, world, config, view);
-    /* An urgent hint replaces the current hint immediately. Any other hint replaces it in a new
-     * phase, after the player has done the action of the current hint, or after HINT_TICKS_MIN. */
-    const bool is_urgent = next == HINT_TORN || next == HINT_LOST_POI;
-    const bool is_followed = (hints->shown == HINT_LIFT && poi->immersed < 0.5f) ||
-                             (hints->shown == HINT_DIP && poi->immersed > 0.5f);
-    if (next != hints->shown &&
-        (edge || is_urgent || is_followed || game->tick - hints->shown_tick >= HINT_TICKS_MIN)) {
+    if ((edge && next != hints->shown) ||
+        hints_may_change(hints->shown, next, game->tick - hints->shown_tick,
+                         &world->poi[hints->pupil])) {
+        hints->shown = next;
+        hints->shown_tick = game->tick;
+    }
+}
+
+void hints_player_tick(struct hints *hints, const struct game *game, const struct world *world)
+{
+    watch_paper(hints, world);
+    if (game->tick != game->phase_tick && game->tick % LOOK_TICKS != 0) {
+        return;
+    }
+    const struct view_of_fish view = view_at_poi(hints, world);
+    observe(hints, game, world, view);
+    const uint8_t next = wanted_in_game(hints, game, world, view);
+    if (next != hints->shown) {
         hints->shown = next;
         hints->shown_tick = game->tick;
     }

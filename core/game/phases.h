@@ -155,6 +155,15 @@ void score_keep(struct accounts *accounts, struct name *name, const struct game 
 void hints_tick(struct hints *hints, const struct game *game, const struct world *world,
                 const struct core_config *config);
 
+/* Writes to `hints` the hint that fits the situation of the player `hints->pupil` now, and the tick
+ * since which the hint fits. Must be called once per tick of READY and of the round. The lessons
+ * (core/game/lesson/lesson.h) decide whether the hint is shown. */
+void hints_player_tick(struct hints *hints, const struct game *game, const struct world *world);
+
+/* Returns true if the hint `next` may replace the hint `shown`, which has been visible for
+ * `shown_ticks` beside `poi`. */
+bool hints_may_change(uint8_t shown, uint8_t next, uint32_t shown_ticks, const struct poi *poi);
+
 /* ---- Health log: starts, crashes, uptime and faults ------------------------------------------ */
 
 /* The health log: ledger entries about starts, crashes, uptime and faults.

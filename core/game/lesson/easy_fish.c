@@ -20,6 +20,13 @@
 #define COST_LENGTH 3.0f
 #define COST_SPEED_S 2.0f
 
+/* Part of the ring's radius within which a fish counts as over the paper, and the range of the
+ * fish's height above the ring. */
+#define OVER_SHARE 0.6f
+#define OVER_MIN_M 0.003f
+#define OVER_MAX_M 0.045f
+#define OVER_M_S 0.10f /* Largest speed of a fish that stays over the paper during a lift. */
+
 static float level_gap_m(vec3 a, vec3 b)
 {
     return v3_length(v3(a.x - b.x, 0.0f, a.z - b.z));
@@ -56,7 +63,8 @@ static bool is_others(const struct lessons *lessons, uint32_t player, uint32_t f
 {
     bool is_taken = false;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        is_taken = is_taken || (i != player && lessons->player[i].fish == fish);
+        const struct lesson *other = &lessons->player[i];
+        is_taken = is_taken || (i != player && (other->fish == fish || other->ghost.fish == fish));
     }
     return is_taken;
 }
@@ -80,4 +88,18 @@ uint16_t lesson_easiest_fish(const struct lessons *lessons, const struct world *
         }
     }
     return best;
+}
+
+bool lesson_fish_is_over(const struct world *world, const struct poi *poi)
+{
+    bool is_over = false;
+    for (uint32_t i = 0; i < world->tank.fish_count; i++) {
+        const struct fish *fish = &world->tank.fish[i];
+        const float up_m = fish->position_m.y - poi->position_m.y;
+        is_over = is_over ||
+                  (up_m > OVER_MIN_M && up_m < OVER_MAX_M && fish->gait < GAIT_HELD &&
+                   v3_length(fish->velocity_m_s) < OVER_M_S &&
+                   level_gap_m(fish->position_m, poi->position_m) < OVER_SHARE * poi_radius_m(poi));
+    }
+    return is_over;
 }

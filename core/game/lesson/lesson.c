@@ -4,26 +4,62 @@
 #include "core/base/panic.h"
 #include "core/game/phases.h"
 
-/* Ticks between two choices of the marked fish: ten choices per second. */
+/* Ticks between two choices of the marked fish and of the hint: ten choices per second. */
 #define LOOK_TICKS 12u
 /* Time after which a marked fish that was not caught may be replaced by an easier one, unless the
  * ring is in the water. */
 #define MARK_TICKS (3u * CORE_TICK_HZ)
+/* Longest time for which a hint is shown. A hint whose fault lasts is shown again after the same
+ * time. */
+#define HINT_TICKS_MAX (5u * CORE_TICK_HZ)
+/* A dip is flat if the ring enters the water at this speed or faster, with a smaller pitch. The
+ * water then pushes on the whole paper at once. */
+#define FLAT_M_S 0.25f
+#define FLAT_RAD 0.2f
+/* Number of flat dips after which the hint to tilt the poi is shown. */
+#define FLAT_DIPS 2u
+/* The motion of the poi is too fast if the ring is faster than HASTE_M_S while its paper tears or
+ * its warning (sheet_warning()) exceeds HASTE_WARNING. The hint is then due for HASTE_TICKS. */
+#define HASTE_M_S 0.12f
+#define HASTE_WARNING 0.6f
+#define HASTE_TICKS (3u * CORE_TICK_HZ)
+/* Time under water after which a player who does not lift a fish gets the hint to lift. */
+#define UNDER_TICKS (3u * CORE_TICK_HZ / 2u)
+
+/* Time for which a hint must fit the situation before it is shown. In this time the player may do
+ * the right thing without a hint. Hints that follow from a fault need no time. */
+static const uint16_t fault_ticks[HINT_COUNT] = {
+    [HINT_MOVE] = 4u * CORE_TICK_HZ,
+    [HINT_DIP] = 4u * CORE_TICK_HZ,
+    [HINT_BOWL] = 3u * CORE_TICK_HZ / 2u,
+};
 
 void lesson_init(struct lessons *lessons)
 {
+    *lessons = (struct lessons){ .is_first = true };
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        lessons->player[i] = (struct lesson){ .fish = LESSON_NO_FISH };
+        lessons->player[i] =
+            (struct lesson){ .fish = LESSON_NO_FISH,
+                             .hints.pupil = (uint8_t)i,
+                             .ghost = { .fish = LESSON_NO_FISH, .live_y_m = -1.0f } };
     }
 }
 
-/* Returns true if the game gives lessons to `player`, who plays and may dip the poi. */
-static bool is_pupil(const struct game *game, const struct world *world, uint32_t player)
+/* Returns true if the game gives lessons to `player`, who has a poi and takes part in the round. */
+static bool is_taught(const struct game *game, const struct world *world, uint32_t player)
 {
-    return game->phase == PHASE_ROUND && rules_of(game->mode)->shows_hints &&
-           game_may_scoop(game, player) && player_has_poi(world, player) &&
-           world->poi[player].link == POI_SOURCE_LIVE;
+    const bool is_round = game->phase == PHASE_READY || game->phase == PHASE_ROUND;
+    return is_round && rules_of(game->mode)->shows_hints && player_has_poi(world, player) &&
+           world->poi[player].link == POI_SOURCE_LIVE && !game->player[player].out;
 }
+
+/* Returns true if `player` gets lessons and may dip the poi. */
+static bool is_scooping(const struct game *game, const struct world *world, uint32_t player)
+{
+    return is_taught(game, world, player) && game_may_scoop(game, player);
+}
+
+/* ---- Marked fish ----------------------------------------------------------------------------- */
 
 static void mark_fish(struct lessons *lessons, const struct game *game, const struct world *world,
                       uint32_t player)
@@ -31,7 +67,7 @@ static void mark_fish(struct lessons *lessons, const struct game *game, const st
     struct lesson *lesson = &lessons->player[player];
     const struct poi *poi = &world->poi[player];
     const bool has_mark = game->player[player].level != LEVEL_MASTER && poi->carried_count == 0 &&
-                          is_pupil(game, world, player);
+                          is_scooping(game, world, player) && lesson->ghost.state != GHOST_RUNS;
     const uint32_t count = world->tank.fish_count;
     uint16_t fish = LESSON_NO_FISH;
     if (has_mark && lesson->fish < count &&
@@ -49,14 +85,127 @@ static void mark_fish(struct lessons *lessons, const struct game *game, const st
     }
 }
 
+/* ---- Hint beside the poi --------------------------------------------------------------------- */
+
+/* Returns true if the player has made the fault that `hint` cures. The hints about haste, technique
+ * and wet paper follow from a fault (hints.c), so that they need no further condition. */
+static bool is_fault(const struct lesson *lesson, const struct game *game,
+                     const struct world *world, uint8_t hint)
+{
+    const uint8_t player = lesson->hints.pupil;
+    switch (hint) {
+    case HINT_LIFT:
+        return lesson->under_ticks >= UNDER_TICKS &&
+               lesson_fish_is_over(world, &world->poi[player]);
+    case HINT_TILT:
+        return lesson->flat_dips >= FLAT_DIPS;
+    case HINT_CLEAR_RIM: /* At the festival every fish in the bowl counts. */
+        return rules_of(game->mode)->counts_fouls || !rules_of(game->mode)->keeps_score;
+    case HINT_LOST_POI:
+    case HINT_NO_SHADE:
+        return false; /* These hints concern the whole screen. */
+    default:
+        return game->phase == PHASE_ROUND;
+    }
+}
+
+/* Returns the hint that fits the situation. The faults of haste and of flat dips are detected here
+ * earlier than in hints.c, where paper must tear and a fish must be caught before. */
+static uint8_t wanted_hint(const struct lesson *lesson, const struct game *game,
+                           const struct world *world)
+{
+    const uint8_t hint = lesson->hints.shown;
+    const bool is_taught_now =
+        is_scooping(game, world, lesson->hints.pupil) && hint != HINT_CLEAR_RIM;
+    const bool is_free = hint == HINT_NONE || hint == HINT_GLIDE;
+    if (is_taught_now && lesson->haste_tick != 0 && game->tick - lesson->haste_tick < HASTE_TICKS) {
+        return HINT_SLOWLY;
+    }
+    return is_taught_now && is_free && lesson->flat_dips >= FLAT_DIPS &&
+                   world->poi[lesson->hints.pupil].immersed <= 0.0f
+               ? (uint8_t)HINT_TILT
+               : hint;
+}
+
+/* Returns the hint that is due beside the poi of `lesson`. */
+static uint8_t due_hint(const struct lesson *lesson, const struct game *game,
+                        const struct world *world)
+{
+    const uint8_t hint = wanted_hint(lesson, game, world);
+    const uint32_t since = lesson->hints.shown_tick, start = game->phase_tick;
+    const uint32_t age = game->tick - (since - start < UINT32_MAX / 2u ? since : start);
+    CORE_ASSERT(hint < HINT_COUNT);
+    if (hint == HINT_TORN) {
+        return HINT_TORN;
+    }
+    const bool is_turn = age >= fault_ticks[hint] &&
+                         (age - fault_ticks[hint]) % (2u * HINT_TICKS_MAX) < HINT_TICKS_MAX;
+    return is_turn && lesson->ghost.state != GHOST_RUNS && is_fault(lesson, game, world, hint)
+               ? hint
+               : HINT_NONE;
+}
+
+static void observe_faults(struct lesson *lesson, const struct poi *poi, uint32_t tick)
+{
+    const float pitch_rad = f_abs(poi->angles.pitch_rad);
+    if (poi->splash_m_s >= FLAT_M_S && pitch_rad < FLAT_RAD && lesson->flat_dips < UINT8_MAX) {
+        lesson->flat_dips++;
+    } else if (poi->splash_m_s > 0.0f && pitch_rad >= FLAT_RAD) {
+        lesson->flat_dips = 0; /* The player has followed the hint. */
+    }
+    if (v3_length(poi->velocity_m_s) > HASTE_M_S &&
+        (poi->strain.cells_torn > 0 || sheet_warning(&poi->sheet) > HASTE_WARNING)) {
+        lesson->haste_tick = tick;
+    }
+}
+
+static void tick_hint(struct lesson *lesson, const struct game *game, const struct world *world)
+{
+    const uint8_t player = lesson->hints.pupil;
+    const struct poi *poi = &world->poi[player];
+    const bool is_round = game->phase == PHASE_READY || game->phase == PHASE_ROUND;
+    observe_faults(lesson, poi, game->tick);
+    lesson->under_ticks = poi->immersed > 0.5f ? lesson->under_ticks + 1u : 0u;
+    if (!is_round || !player_has_poi(world, player)) {
+        lesson->hint = HINT_NONE;
+        return;
+    }
+    hints_player_tick(&lesson->hints, game, world);
+    if (game->tick != game->phase_tick && game->tick % LOOK_TICKS != 0) {
+        return;
+    }
+    const uint8_t next = due_hint(lesson, game, world);
+    if (hints_may_change(lesson->hint, next, game->tick - lesson->hint_tick, poi)) {
+        lesson->hint = next;
+        lesson->hint_tick = game->tick;
+    }
+}
+
+/* ---- Public functions ------------------------------------------------------------------------ */
+
 void lesson_tick(struct lessons *lessons, const struct game *game, const struct world *world)
 {
     CORE_ASSERT(game->phase <= PHASE_LEADERBOARD && game->mode < MODE_COUNT);
+    if (game->phase == PHASE_ATTRACT) {
+        lesson_init(lessons);
+        return;
+    }
+    lessons->is_first = lessons->is_first && game->phase != PHASE_RESULT;
     for (uint32_t i = 0; i < POI_MAX; i++) {
+        lesson_ghost_tick(lessons, game, world, i, is_taught(game, world, i));
         if (game->tick == game->phase_tick || game->tick % LOOK_TICKS == 0) {
             mark_fish(lessons, game, world, i);
         }
+        tick_hint(&lessons->player[i], game, world);
     }
+}
+
+uint8_t lesson_screen_hint(const struct game *game)
+{
+    const uint8_t hint = game->hints.shown;
+    const bool is_round = game->phase == PHASE_READY || game->phase == PHASE_ROUND;
+    const bool is_of_poi = is_round && hint != HINT_LOST_POI && hint != HINT_NO_SHADE;
+    return is_of_poi ? (uint8_t)HINT_NONE : hint;
 }
 
 /* Returns true if the arrow to the bowl is shown: a fish lies on paper that is out of the water,
@@ -65,9 +214,9 @@ static bool points_to_bowl(const struct game *game, const struct world *world, u
 {
     const struct poi *poi = &world->poi[player];
     const vec3 way_m = v3_sub(world->bowl[player].position_m, poi->position_m);
-    const float room_m = BOWL_RADIUS_M;
-    return is_pupil(game, world, player) && poi->carried_count > 0 && poi->immersed <= 0.0f &&
-           way_m.x * way_m.x + way_m.z * way_m.z > room_m * room_m;
+    const bool is_carrying = game->phase == PHASE_ROUND && is_taught(game, world, player);
+    return is_carrying && !game->paused && poi->carried_count > 0 && poi->immersed <= 0.0f &&
+           way_m.x * way_m.x + way_m.z * way_m.z > BOWL_RADIUS_M * BOWL_RADIUS_M;
 }
 
 void lesson_show(const struct lessons *lessons, const struct game *game, const struct world *world,
@@ -76,9 +225,12 @@ void lesson_show(const struct lessons *lessons, const struct game *game, const s
     const struct lesson *lesson = &lessons->player[player];
     CORE_ASSERT(player < POI_MAX);
     *out = (struct scene_lesson){
+        .hint = lesson->hint,
+        .hint_s = (float)(game->tick - lesson->hint_tick) * CORE_TICK_S,
         .marks_fish = lesson->fish < world->tank.fish_count,
         .fish = lesson->fish,
         .mark_s = (float)(game->tick - lesson->fish_tick) * CORE_TICK_S,
         .points_to_bowl = points_to_bowl(game, world, player),
     };
+    lesson_ghost_show(&lesson->ghost, &world->bowl[player], &out->ghost);
 }

@@ -1,7 +1,14 @@
 /* lesson.h -- the lessons: aids that show each player the technique without words.
  *
- * A ring marks a fish that is easy to catch now, at the levels easy and normal. An arrow points to
- * the player's bowl while a fish lies on the paper. The championship has no lessons.
+ * - Before the first dip of the first round after attract mode, a ghost shows at a real fish how to
+ *   dip, glide, lift and empty the poi. The ghost is a translucent poi with the hand that holds it.
+ *   The ghost begins in READY and lasts five seconds. The clock of the round does not wait for the
+ *   ghost. A dip ends the ghost of that player.
+ * - A ring marks a fish that is easy to catch now, at the levels easy and normal.
+ * - An arrow points to the player's bowl while a fish lies on the paper.
+ * - A hint beside the poi names the next step, but only after the fault that the hint cures.
+ *
+ * Each player sees one aid at a time, at the own poi. The championship has no lessons.
  *
  * The lessons are used for display only: the simulation never reads them, and no hash contains
  * them. They depend only on the state of the game and of the world, so a replay shows the same
@@ -14,17 +21,44 @@
 /* Value of a fish index that stands for no fish. */
 #define LESSON_NO_FISH 0xffffu
 
+/* Duration of the ghost. */
+#define LESSON_GHOST_TICKS (5u * CORE_TICK_HZ)
+
+enum ghost_state {
+    GHOST_WAITS = 0, /* The ghost has not begun. */
+    GHOST_RUNS,
+    GHOST_IS_OVER, /* The ghost is complete, or the player dipped the poi. */
+};
+
+struct ghost {
+    uint8_t state;  /* State of the ghost (enum ghost_state). */
+    uint16_t fish;  /* Index of the fish at which the ghost shows the technique. */
+    uint32_t ticks; /* Ticks since the ghost began, without pauses of the round. */
+    vec3 fish_m;    /* Position of the fish, which the ghost follows until it is under the fish. */
+    /* Height of the pose of the player's controller in the last tick, to detect a dip in READY. */
+    float live_y_m;
+};
+
 /* Lesson of one player. */
 struct lesson {
     uint16_t fish;      /* Index of the marked fish, or LESSON_NO_FISH. */
     uint32_t fish_tick; /* Tick at which this fish was marked. */
+    /* Hint that fits the player's situation, and the tick since which the hint fits. */
+    struct hints hints;
+    uint8_t hint;         /* Shown hint (enum scene_hint). */
+    uint32_t hint_tick;   /* Tick at which the shown hint appeared. */
+    uint32_t under_ticks; /* Ticks since the poi was dipped; 0 above the water. */
+    uint32_t haste_tick;  /* Tick at which motion last overloaded the paper; 0 means never. */
+    uint8_t flat_dips;    /* Number of fast entries into the water with a level ring, up to 255. */
+    struct ghost ghost;
 };
 
 struct lessons {
+    bool is_first; /* True from attract mode to the end of the first round after attract mode. */
     struct lesson player[POI_MAX];
 };
 
-/* Initializes the lessons for the start of a session. */
+/* Initializes the lessons for new players. */
 void lesson_init(struct lessons *lessons);
 
 /* Runs one tick of the lessons of all players. Must be called after game_tick(). */
@@ -33,6 +67,19 @@ void lesson_tick(struct lessons *lessons, const struct game *game, const struct 
 /* Writes to `out` what the lesson of `player` shows. */
 void lesson_show(const struct lessons *lessons, const struct game *game, const struct world *world,
                  uint32_t player, struct scene_lesson *out);
+
+/* Returns the hint of the whole screen (enum scene_hint). In READY and in the round, the hints of a
+ * poi are not hints of the whole screen. */
+uint8_t lesson_screen_hint(const struct game *game);
+
+/* ---- Ghost ----------------------------------------------------------------------------------- */
+
+/* Runs one tick of the ghost of `player`. `is_taught` is true if the player gets lessons now. */
+void lesson_ghost_tick(struct lessons *lessons, const struct game *game, const struct world *world,
+                       uint32_t player, bool is_taught);
+
+/* Writes to `out` the pose of the ghost of `player`. */
+void lesson_ghost_show(const struct ghost *ghost, const struct bowl *bowl, struct scene_ghost *out);
 
 /* ---- Fish that are easy to catch ------------------------------------------------------------- */
 
@@ -46,3 +93,6 @@ bool lesson_is_easy(const struct fish *fish, const struct world *world, uint32_t
  * fish is easy. Fish of the lessons of other players are skipped. */
 uint16_t lesson_easiest_fish(const struct lessons *lessons, const struct world *world,
                              uint32_t player);
+
+/* Returns true if a calm fish is over the paper of `poi`, so that a lift may catch the fish. */
+bool lesson_fish_is_over(const struct world *world, const struct poi *poi);

@@ -23,6 +23,7 @@ static void make_programs(struct gl_status *status, struct ui *ui)
         [UI_WAVES] = "UI_WAVES", [UI_RING] = "UI_RING",   [UI_GLOW] = "UI_GLOW",
         [UI_FISH] = "UI_FISH",   [UI_POI] = "UI_POI",     [UI_LANTERN] = "UI_LANTERN",
         [UI_WOOD] = "UI_WOOD",   [UI_HEAT] = "UI_HEAT",   [UI_WATER] = "UI_WATER",
+        [UI_GHOST] = "UI_GHOST",
     };
     const char *const vertex_parts[] = { "#version 300 es\n", shader_ui_vert };
     const GLuint vertex = gl_compile(status, "words", GL_VERTEX_SHADER, vertex_parts, 2);

@@ -79,6 +79,7 @@ void ui_ready(const struct ui_frame *frame)
               y - radius - 50.0f * u, 29.0f * u, words);
     frame->batch->opacity = 1.0f;
     ui_bowl_marks(frame, in);
+    ui_lessons(frame);
     ui_umpire(frame);
     if (!scene->paused) {
         ui_hint_ribbon(frame);

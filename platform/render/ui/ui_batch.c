@@ -57,7 +57,7 @@ void ui_shape(struct ui_batch *batch, const struct ui_shape *shape)
 {
     CORE_ASSERT(shape->kind != UI_GLYPH);
     struct ui_shape whole = *shape;
-    if (shape->kind != UI_RING && shape->kind != UI_POI) {
+    if (shape->kind != UI_RING && shape->kind != UI_POI && shape->kind != UI_GHOST) {
         whole.shape[0] = 0.5f * shape->box.width;
         whole.shape[1] = 0.5f * shape->box.height;
     }

@@ -41,8 +41,18 @@ enum ui_kind {
     UI_HEAT = 10,
     /* An aquarium at night. `shape`: half width, half height, corner radius, time in seconds. */
     UI_WATER = 11,
+    /* A ghost poi with the hand that holds it, in a box of UI_GHOST_WIDTH x UI_GHOST_HEIGHT ring
+     * radii. `shape`: radius of the ring, height of the flattened ring as a share of its width, 1
+     * under water or 0 above it. */
+    UI_GHOST = 12,
     UI_KIND_COUNT,
 };
+
+/* Size of a ghost in ring radii, and the position of the ring's centre from the box's corner. */
+#define UI_GHOST_WIDTH 3.5f
+#define UI_GHOST_HEIGHT 5.8f
+#define UI_GHOST_RING_X 1.2f
+#define UI_GHOST_RING_Y 1.3f
 
 struct ui_vertex {
     float x, y; /* Position in pixels. */

@@ -1,5 +1,6 @@
-/* ui_lesson.c -- draws the lessons (core/game/lesson/lesson.h) into the tank: the ring around a
- * fish that is easy to catch, and the arrow from the poi to the bowl. */
+/* ui_lesson.c -- draws the lessons (core/game/lesson/lesson.h) into the tank: the ghost that shows
+ * the technique, the ring around a fish that is easy to catch, the arrow from the poi to the bowl,
+ * and the hint beside the poi. */
 #include <math.h>
 
 #include "core/base/panic.h"
@@ -13,6 +14,8 @@
 #define ARROW_PERIOD_S 0.9f /* Time in seconds in which a chevron moves by one step. */
 #define ARROW_STEP 46.0f    /* Distance between two chevrons in layout units. */
 #define ARROW_STEPS_MAX 24u
+#define GHOST_RADIUS_M 0.042f
+#define GHOST_OPACITY 0.72f
 
 /* Draws a ring of light around the marked fish. The ring of one of several players has the player's
  * colour and number. */
@@ -35,7 +38,7 @@ static void draw_mark(const struct ui_frame *frame, uint32_t player)
     ui_glow(frame, ui_around(at.x, at.y, 1.5f * radius), ui_fade(colour, 0.24f + 0.16f * wide));
     ui_ring(frame, at.x, at.y, radius, width, 1.0f, ui_fade(colour, 0.95f - 0.3f * wide), 0);
     if (!is_alone) {
-        ui_player_mark(frame, at.x + 0.75f * radius, at.y - 0.75f * radius, 13.0f * u, player);
+        ui_player_mark(frame, at.x + 0.75f * radius, at.y - 0.75f * radius, 17.0f * u, player);
     }
     frame->batch->opacity = 1.0f;
 }
@@ -80,15 +83,48 @@ static void draw_arrow(const struct ui_frame *frame, uint32_t player)
             ui_fade(0xffe08affu, 0.4f + 0.5f * ui_pulse(frame->time_s, ARROW_PERIOD_S)), 0);
 }
 
+/* Draws the ghost poi of `player` with its hand. The ring is as flat as its slant makes it seem. */
+static void draw_ghost(const struct ui_frame *frame, uint32_t player)
+{
+    const struct scene_ghost *const ghost = &frame->scene->lesson[player].ghost;
+    const struct basis axes = vec_basis_from_angles(ghost->angles);
+    const struct ui_point at = ui_project(frame, ghost->position_m);
+    const struct ui_point rim =
+        ui_project(frame, v3_muladd(ghost->position_m, axes.back, GHOST_RADIUS_M));
+    const float radius = GHOST_RADIUS_M * at.px_per_m;
+    const float flat = f_clamp(hypotf(rim.x - at.x, rim.y - at.y) / radius, 0.15f, 1.0f);
+    const float under = 1.0f - f_smoothstep(-0.02f, 0.01f, ghost->position_m.y);
+    frame->batch->opacity = ghost->opacity;
+    if (ghost->carries) {
+        ui_fish_sign(frame, at.x, at.y, 1.2f * radius);
+    }
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = { at.x - UI_GHOST_RING_X * radius,
+                                          at.y - UI_GHOST_RING_Y * radius, UI_GHOST_WIDTH * radius,
+                                          UI_GHOST_HEIGHT * radius },
+                                 .kind = UI_GHOST,
+                                 .fill = ui_fade(ui_player_colours[player], GHOST_OPACITY),
+                                 .shape = { radius, flat, under } });
+    if (ui_player_count(frame->scene) > 1u || ui_seat_count(frame->scene) > 1u) {
+        ui_player_mark(frame, at.x - 0.8f * radius, at.y - 0.9f * radius, 17.0f * frame->unit,
+                       player);
+    }
+    frame->batch->opacity = 1.0f;
+}
+
 void ui_lessons(const struct ui_frame *frame)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct scene_lesson *const lesson = &frame->scene->lesson[i];
+        if (lesson->ghost.is_present) {
+            draw_ghost(frame, i);
+        }
         if (lesson->marks_fish) {
             draw_mark(frame, i);
         }
         if (lesson->points_to_bowl) {
             draw_arrow(frame, i);
         }
+        ui_poi_hint(frame, i);
     }
 }

@@ -154,6 +154,21 @@ void ui_glow(const struct ui_frame *frame, struct ui_box box, uint32_t fill)
     ui_panel(frame, UI_GLOW, box, 1.0f, 0.0f, fill, 0);
 }
 
+void ui_arrow(const struct ui_frame *frame, float x, float y, float to_x, float to_y,
+              uint32_t colour)
+{
+    const float length = fmaxf(hypotf(to_x, to_y), 1.0f), u = frame->unit;
+    const float head = fminf(15.0f * u, 0.6f * length) / length, width = 5.0f * u;
+    const float tip[2] = { x + to_x, y + to_y };
+    ui_segment(frame->batch, (const float[2]){ x, y }, tip, width, colour);
+    for (int i = -1; i <= 1; i += 2) {
+        const float side = 0.7f * (float)i;
+        const float barb[2] = { tip[0] - head * (to_x + side * to_y),
+                                tip[1] - head * (to_y - side * to_x) };
+        ui_segment(frame->batch, barb, tip, width, colour);
+    }
+}
+
 void ui_water(const struct ui_frame *frame, struct ui_box box, float radius_px, float time_s,
               uint32_t deep)
 {

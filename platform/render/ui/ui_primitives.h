@@ -119,6 +119,10 @@ void ui_glow(const struct ui_frame *frame, struct ui_box box, uint32_t fill);
 void ui_water(const struct ui_frame *frame, struct ui_box box, float radius_px, float time_s,
               uint32_t deep);
 
+/* Draws an arrow from (x, y) whose tip has the distance (`to_x`, `to_y`) from there. */
+void ui_arrow(const struct ui_frame *frame, float x, float y, float to_x, float to_y,
+              uint32_t colour);
+
 /* Adds one line of text as ui_text() does, vertically centred on `y`. Returns the width of the text
  * in pixels. */
 float ui_text_at(const struct ui_frame *frame, struct ui_text style, float x, float y,

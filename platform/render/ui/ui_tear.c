@@ -49,20 +49,6 @@ static void stroke(const struct ui_frame *frame, struct spot from, struct spot s
                (const float[2]){ from.x + end.x, from.y + end.y }, width, colour);
 }
 
-/* Draws an arrow from `from` whose tip has the distance `to` from there. */
-static void arrow(const struct ui_frame *frame, struct spot from, struct spot to, uint32_t colour)
-{
-    const float length = fmaxf(hypotf(to.x, to.y), 1.0f), u = frame->unit;
-    const float head = fminf(15.0f * u, 0.6f * length) / length, width = 5.0f * u;
-    stroke(frame, from, (struct spot){ 0.0f, 0.0f }, to, width, colour);
-    for (int i = -1; i <= 1; i += 2) {
-        const float side = 0.7f * (float)i;
-        const struct spot barb = { to.x - head * (to.x + side * to.y),
-                                   to.y - head * (to.y - side * to.x) };
-        stroke(frame, from, barb, to, width, colour);
-    }
-}
-
 /* Returns the colour of a load: green for no load, yellow, and red for a load that tears the paper.
  * The square root separates the low loads, which are the usual ones. */
 static uint32_t load_colour(uint8_t load)
@@ -134,7 +120,8 @@ static void draw_motion(const struct ui_frame *frame, uint32_t player, struct ui
     const float speed_m_s = v3_length(tear->velocity_m_s);
     if (speed_m_s > MOVES_M_S) {
         const float reach = fminf(ARROW_S * px_per_m * speed_m_s, ARROW_MAX * u);
-        arrow(frame, middle, project(tear->velocity_m_s, reach / speed_m_s), UI_CREAM);
+        const struct spot to = project(tear->velocity_m_s, reach / speed_m_s);
+        ui_arrow(frame, middle.x, middle.y, to.x, to.y, UI_CREAM);
     }
     /* The slow motion lasts from 0.75 s before the tear to 0.25 s after it. */
     struct ui_box bar = { box.x, box.y + box.height + 5.0f * u, box.width, 6.0f * u };
@@ -156,7 +143,6 @@ static void draw_cause(const struct ui_frame *frame, uint8_t cause, struct spot 
     const float u = frame->unit;
     const struct spot left = { -46.0f * u, 18.0f * u }, right = { 46.0f * u, 18.0f * u };
     const struct spot sag = { 0.0f, cause == TEAR_WEIGHT ? 30.0f * u : 18.0f * u };
-    const struct spot down = { 0.0f, 26.0f * u };
     if (cause == TEAR_FAST) {
         for (uint32_t i = 0; i < 3u; i++) {
             const float y = (14.0f * (float)i - 14.0f) * u;
@@ -182,7 +168,7 @@ static void draw_cause(const struct ui_frame *frame, uint8_t cause, struct spot 
     if (cause == TEAR_FLAT) {
         for (int i = -1; i <= 1; i++) {
             const float x = at.x + 28.0f * (float)i * u;
-            arrow(frame, (struct spot){ x, at.y - 20.0f * u }, down, UI_VERMILION);
+            ui_arrow(frame, x, at.y - 20.0f * u, 0.0f, 26.0f * u, UI_VERMILION);
         }
     } else {
         ui_fish_sign(frame, at.x, at.y + (cause == TEAR_WEIGHT ? 2.0f : -8.0f) * u, 66.0f * u);

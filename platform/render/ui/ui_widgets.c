@@ -47,7 +47,7 @@ void ui_plate(const struct ui_frame *frame, struct ui_box box)
     ui_panel(frame, UI_WAVES, box, 16.0f * u, 1.5f * u, UI_NIGHT, UI_GOLD_DIM);
 }
 
-void ui_hint_ribbon(const struct ui_frame *frame)
+const char *ui_hint_words(const struct ui_frame *frame, uint8_t hint)
 {
     static const uint16_t keys[HINT_COUNT] = {
         [HINT_START] = TEXT_HINT_START,
@@ -67,6 +67,12 @@ void ui_hint_ribbon(const struct ui_frame *frame)
         [HINT_COIN] = TEXT_HINT_COIN,
         [HINT_PAID_BACK] = TEXT_HINT_PAID_BACK,
     };
+    CORE_ASSERT(hint != HINT_NONE && hint < HINT_COUNT);
+    return ui_words(frame, (enum text_key)keys[hint]);
+}
+
+void ui_hint_ribbon(const struct ui_frame *frame)
+{
     const struct scene *const scene = frame->scene;
     const uint8_t hint = scene->hint;
     if (hint == HINT_NONE || hint >= HINT_COUNT ||
@@ -76,16 +82,15 @@ void ui_hint_ribbon(const struct ui_frame *frame)
     const float u = frame->unit;
     const float age_s = (float)(scene->tick - frame->memory->hint_tick) * CORE_TICK_S;
     const float in = f_smoothstep(0.0f, HINT_FADE_S, age_s);
-    /* A red ribbon means a failure, a green ribbon means the right moment to act, and a dark ribbon
-     * means advice. */
+    /* A red ribbon means a failure, and a dark ribbon means advice. */
     struct ui_ribbon ribbon = { FONT_BODY, UI_NIGHT, UI_GOLD_DIM, 0 };
-    if (hint == HINT_TORN || hint == HINT_LOST_POI || hint == HINT_LIFT) {
-        ribbon.fill = hint == HINT_LIFT ? 0x17754ee8u : 0xb8301ee8u;
+    if (hint == HINT_LOST_POI) {
+        ribbon.fill = 0xb8301ee8u;
         ribbon.line = UI_GOLD;
     }
     frame->batch->opacity = in;
     ui_ribbon(frame, ribbon, frame->height - 52.0f * u + 14.0f * u * (1.0f - in), 32.0f * u,
-              ui_words(frame, (enum text_key)keys[hint]));
+              ui_hint_words(frame, hint));
     frame->batch->opacity = 1.0f;
 }
 

@@ -104,8 +104,16 @@ void ui_bowl_marks(const struct ui_frame *frame, float alpha);
  * nobody needs the colour of a ring to find the own poi. */
 void ui_handle_marks(const struct ui_frame *frame);
 
-/* Draws the lessons of all players into the tank: rings around fish, and arrows to the bowls. */
+/* Draws the lessons of all players into the tank: ghosts, rings around fish, arrows to the bowls,
+ * and hints beside the pois. */
 void ui_lessons(const struct ui_frame *frame);
+
+/* Draws the hint of `player` beside the player's poi, as a picture and, for a single player, as a
+ * line of words. Draws nothing if the player has no hint. */
+void ui_poi_hint(const struct ui_frame *frame, uint32_t player);
+
+/* Returns the words of a hint (enum scene_hint), which must not be HINT_NONE. */
+const char *ui_hint_words(const struct ui_frame *frame, uint8_t hint);
 
 /* Draws over all other drawings: the stallkeeper's announcements, the umpire's foul signs, and the
  * pause after a loss of controller input. */

@@ -367,7 +367,7 @@ static void test_the_scene_shows_the_state_of_the_game(void **state)
     core.game.phase_tick = 240;
     core.game.tick = 360;
     core.game.player[0].caught = 5;
-    core.game.hints.shown = HINT_BOWL;
+    core.game.hints.shown = HINT_LOST_POI;
     core_scene(&core, &scene);
     assert_int_equal(scene.tick, 360);
     assert_int_equal(scene.phase, PHASE_ROUND);
@@ -375,7 +375,10 @@ static void test_the_scene_shows_the_state_of_the_game(void **state)
     assert_float_equal(scene.seconds_left, 59.0f, 1e-4f);
     assert_int_equal(scene.caught[0], 5);
     assert_int_equal(scene.best_today, 8);
-    assert_int_equal(scene.hint, HINT_BOWL);
+    assert_int_equal(scene.hint, HINT_LOST_POI);
+    core.game.hints.shown = HINT_BOWL; /* A hint beside the poi is not one of the whole screen. */
+    core_scene(&core, &scene);
+    assert_int_equal(scene.hint, HINT_NONE);
     assert_int_equal(scene.language, LANGUAGE_EN);
 }
 

@@ -101,7 +101,7 @@ static void test_a_player_without_paper_is_out_and_the_others_continue(void **st
     assert_int_equal(core.game.phase, PHASE_ROUND);
     assert_true(look()->player[0].out);
     assert_false(scene.player[1].out);
-    assert_int_equal(scene.hint, HINT_TORN);
+    assert_int_equal(scene.lesson[0].hint, HINT_TORN);
     tear_all(1);
     ticks(GAME_GONE_TICKS + 10u);
     assert_int_equal(core.game.phase, PHASE_ROUND);

@@ -116,12 +116,12 @@ static void test_half_wet_paper_gives_the_wetting_hint(void **state)
     (void)state;
     wet_half();
     ticks(180);
-    assert_int_equal(look()->hint, HINT_WET_ALL);
+    assert_int_equal(look()->lesson[0].hint, HINT_WET_ALL);
     lead(0, v3(there_m.x, -0.09f, there_m.z));
     ticks(300);
     lead(0, v3(there_m.x, 0.07f, there_m.z));
     ticks(300);
-    assert_int_not_equal(look()->hint, HINT_WET_ALL);
+    assert_int_not_equal(look()->lesson[0].hint, HINT_WET_ALL);
 }
 
 static void test_the_championship_gives_no_wetting_hint(void **state)
@@ -130,7 +130,7 @@ static void test_the_championship_gives_no_wetting_hint(void **state)
     play(MODE_CHAMPIONSHIP);
     wet_half();
     ticks(200);
-    assert_int_equal(look()->hint, HINT_NONE);
+    assert_int_equal(look()->lesson[0].hint, HINT_NONE);
 }
 
 static void test_a_poured_fish_gives_the_clear_rim_hint(void **state)
@@ -143,12 +143,12 @@ static void test_a_poured_fish_gives_the_clear_rim_hint(void **state)
         v3_add(core.world.bowl[0].position_m, v3(0.0f, 0.02f, 0.0f));
     core.world.poi[0].carried_fish[core.world.poi[0].carried_count++] = washed;
     ticks(240);
-    assert_int_equal(look()->hint, HINT_CLEAR_RIM);
+    assert_int_equal(look()->lesson[0].hint, HINT_CLEAR_RIM);
     /* In practice, a foul must only show a hint. The fish still counts. */
     assert_int_equal(scene.player[0].fouls, 0);
     assert_int_equal(scene.caught[0], 1);
     ticks(600);
-    assert_int_not_equal(look()->hint, HINT_CLEAR_RIM);
+    assert_int_not_equal(look()->lesson[0].hint, HINT_CLEAR_RIM);
 }
 
 int main(void)

@@ -1,5 +1,5 @@
-/* test_lesson.c -- checks the lessons, which are aids in the picture: a mark on a fish that is easy
- * to catch, and an arrow from a caught fish to the bowl. */
+/* test_lesson.c -- checks which fish the lessons mark, when the arrow points to the bowl, what the
+ * ghost shows, and which fault each hint beside the poi follows. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -24,6 +24,7 @@ static int setup(void **state)
     core.game.mode = MODE_FESTIVAL;
     core.game.round_s = 60;
     core.game.tick = core.game.phase_tick = 5000;
+    core.lessons.is_first = false; /* Only the tests of the ghost play the first round. */
     core.world.poi[0].link = POI_SOURCE_LIVE;
     core.world.poi[0].position_m = v3(0.0f, 0.06f, 0.0f);
     core.world.poi[1].link = POI_SOURCE_ABSENT;
@@ -213,6 +214,254 @@ static void test_no_hash_contains_the_lessons(void **state)
     assert_true(core_hash(&core) == before);
 }
 
+/* ---- Ghost ----------------------------------------------------------------------------------- */
+
+static const struct scene_ghost *ghost_after(uint32_t ticks)
+{
+    return &lesson_after(ticks, 0)->ghost;
+}
+
+static float gap_m(vec3 a, vec3 b)
+{
+    return v3_length(v3(a.x - b.x, 0.0f, a.z - b.z));
+}
+
+static void begin_first_round(void)
+{
+    lesson_init(&core.lessons);
+    core.game.phase = PHASE_READY;
+    core.game.phase_tick = core.game.tick;
+}
+
+static void
+test_the_ghost_dips_beside_a_fish_glides_under_it_and_carries_it_to_the_bowl(void **state)
+{
+    (void)state;
+    const vec3 fish_m = core.world.tank.fish[0].position_m;
+    const vec3 bowl_m = core.world.bowl[0].position_m;
+    begin_first_round();
+    assert_true(ghost_after(60)->is_present);
+    assert_true(shown.ghost.position_m.y > 0.03f);
+    ghost_after(120); /* 1.5 s: under water, beside the fish, at a slant. */
+    assert_true(shown.ghost.position_m.y < fish_m.y);
+    assert_in_range((int)(1000.0f * gap_m(shown.ghost.position_m, fish_m)), 45, 75);
+    assert_true(shown.ghost.angles.pitch_rad < -0.5f);
+    core.game.phase = PHASE_ROUND; /* The ghost continues in the round, whose clock runs. */
+    ghost_after(132);              /* 2.6 s: under the fish, with level paper. */
+    assert_true(gap_m(shown.ghost.position_m, fish_m) < 0.01f);
+    assert_true(shown.ghost.position_m.y < fish_m.y);
+    assert_true(f_abs(shown.ghost.angles.pitch_rad) < 0.1f);
+    ghost_after(96); /* 3.4 s: lifted, with the fish. */
+    assert_true(shown.ghost.carries && shown.ghost.position_m.y > 0.03f);
+    ghost_after(150); /* 4.65 s: over the bowl. */
+    assert_true(gap_m(shown.ghost.position_m, bowl_m) < 0.01f);
+    assert_false(ghost_after(60)->is_present);
+}
+
+static void test_a_dip_ends_the_ghost(void **state)
+{
+    (void)state;
+    begin_first_round();
+    assert_true(ghost_after(60)->is_present);
+    core.game.phase = PHASE_ROUND;
+    core.world.poi[0].immersed = 0.2f;
+    assert_false(ghost_after(1)->is_present);
+    core.world.poi[0].immersed = 0.0f;
+    assert_false(ghost_after(60)->is_present);
+}
+
+static void test_a_dip_in_ready_which_moves_no_poi_ends_the_ghost(void **state)
+{
+    (void)state;
+    core.game.control[0].live_y_m = -0.05f;
+    begin_first_round();
+    assert_true(ghost_after(60)->is_present); /* The dip that began the game does not count. */
+    core.game.control[0].live_y_m = 0.05f;
+    assert_true(ghost_after(10)->is_present);
+    core.game.control[0].live_y_m = -1.0f; /* Invalid input is no dip. */
+    assert_true(ghost_after(10)->is_present);
+    core.game.control[0].live_y_m = 0.05f;
+    assert_true(ghost_after(10)->is_present);
+    core.game.control[0].live_y_m = -0.05f;
+    assert_false(ghost_after(1)->is_present);
+}
+
+static void test_only_the_first_round_after_attract_mode_has_a_ghost(void **state)
+{
+    (void)state;
+    begin_first_round();
+    core.game.phase = PHASE_RESULT;
+    lesson_after(2, 0);
+    core.game.phase = PHASE_READY;
+    assert_false(ghost_after(60)->is_present);
+    core.game.phase = PHASE_ATTRACT;
+    lesson_after(2, 0);
+    core.game.phase = PHASE_READY;
+    assert_true(ghost_after(60)->is_present);
+}
+
+static void test_a_championship_and_a_bot_have_no_ghost(void **state)
+{
+    (void)state;
+    core.game.mode = MODE_CHAMPIONSHIP;
+    begin_first_round();
+    assert_false(ghost_after(60)->is_present);
+    core.game.mode = MODE_FESTIVAL;
+    core.world.poi[0].link = POI_SOURCE_BOT;
+    assert_false(ghost_after(60)->is_present);
+    core.world.poi[0].link = POI_SOURCE_LIVE;
+    assert_true(ghost_after(60)->is_present);
+}
+
+static void test_the_ghost_waits_during_a_pause_and_hides_the_ring(void **state)
+{
+    (void)state;
+    begin_first_round();
+    core.game.phase = PHASE_ROUND;
+    assert_true(ghost_after(60)->is_present);
+    assert_false(shown.marks_fish);
+    core.game.paused = 1;
+    const vec3 before_m = shown.ghost.position_m;
+    assert_true(ghost_after(2u * LESSON_GHOST_TICKS)->is_present);
+    assert_true(v3_length(v3_sub(shown.ghost.position_m, before_m)) < 1e-6f);
+    core.game.paused = 0;
+    assert_false(ghost_after(LESSON_GHOST_TICKS)->is_present);
+    assert_true(is_marked());
+}
+
+/* ---- Hints beside the poi -------------------------------------------------------------------- */
+
+static uint8_t hint_after(uint32_t ticks)
+{
+    return lesson_after(ticks, 0)->hint;
+}
+
+static void test_the_hints_to_move_and_to_dip_wait_for_four_seconds(void **state)
+{
+    (void)state;
+    assert_int_equal(hint_after(470), HINT_NONE);
+    assert_int_equal(hint_after(30), HINT_MOVE);
+    core.world.poi[0].velocity_m_s = v3(0.3f, 0.0f, 0.0f);
+    hint_after(240);
+    core.world.poi[0].velocity_m_s = v3(0.0f, 0.0f, 0.0f);
+    assert_int_equal(hint_after(220), HINT_NONE);
+    assert_int_equal(hint_after(150), HINT_DIP);
+    core.world.poi[0].immersed = 1.0f;
+    assert_int_equal(hint_after(13), HINT_NONE);
+}
+
+static void learn(uint32_t hint)
+{
+    core.lessons.player[0].hints.learned |= 1u << hint;
+}
+
+static void test_the_hint_to_glide_follows_two_dips_without_a_catch_and_ends(void **state)
+{
+    (void)state;
+    learn(HINT_MOVE);
+    learn(HINT_DIP);
+    core.world.poi[0].dips = 1;
+    assert_int_equal(hint_after(300), HINT_NONE);
+    core.world.poi[0].dips = 2;
+    assert_int_equal(hint_after(60), HINT_GLIDE);
+    assert_int_equal(hint_after(620), HINT_NONE); /* The hint does not stay over the fish. */
+}
+
+static void test_the_hint_to_lift_needs_a_long_dip_and_a_fish_over_the_paper(void **state)
+{
+    (void)state;
+    core.world.poi[0].immersed = 1.0f;
+    core.world.poi[0].position_m = v3(-0.1f, -0.05f, 0.0f); /* Fish 0 is 3 cm above the ring. */
+    assert_int_equal(hint_after(160), HINT_NONE);
+    assert_int_equal(hint_after(40), HINT_LIFT);
+    core.world.tank.fish[0].position_m.x += 0.04f;
+    assert_int_equal(hint_after(240), HINT_NONE);
+}
+
+static void test_the_hint_about_the_bowl_follows_a_fish_that_stays_on_the_paper(void **state)
+{
+    (void)state;
+    core.world.tank.fish[0].gait = GAIT_HELD;
+    core.world.tank.fish[0].holder = 0;
+    core.world.poi[0].carried_count = 1;
+    assert_int_equal(hint_after(150), HINT_NONE);
+    assert_int_equal(hint_after(60), HINT_BOWL);
+}
+
+static void test_the_hint_about_haste_follows_motion_that_tears(void **state)
+{
+    (void)state;
+    core.world.poi[0].strain.cells_torn = 1;
+    assert_int_not_equal(hint_after(13), HINT_SLOWLY);
+    core.world.poi[0].velocity_m_s = v3(0.2f, 0.0f, 0.0f);
+    assert_int_equal(hint_after(13), HINT_SLOWLY);
+    core.world.poi[0].strain.cells_torn = 0;
+    assert_int_not_equal(hint_after(400), HINT_SLOWLY);
+}
+
+static void test_the_hint_to_tilt_follows_two_flat_dips(void **state)
+{
+    (void)state;
+    struct poi *poi = &core.world.poi[0];
+    learn(HINT_MOVE);
+    learn(HINT_DIP);
+    for (uint32_t i = 0; i < 2u; i++) {
+        assert_int_equal(hint_after(100), HINT_NONE);
+        poi->splash_m_s = 0.4f;
+        hint_after(1);
+        poi->splash_m_s = 0.0f;
+    }
+    assert_int_equal(hint_after(60), HINT_TILT);
+    poi->splash_m_s = 0.4f; /* A slanted dip ends the hint. */
+    poi->angles.pitch_rad = -0.5f;
+    hint_after(1);
+    poi->splash_m_s = 0.0f;
+    assert_int_equal(hint_after(240), HINT_NONE);
+}
+
+static void test_useless_paper_is_named_at_once_in_every_mode(void **state)
+{
+    (void)state;
+    core.game.mode = MODE_CHAMPIONSHIP;
+    core.game.player[0].out = 1;
+    core.game.player[0].torn_tick = core.game.tick;
+    assert_int_equal(hint_after(13), HINT_TORN);
+}
+
+static void test_a_championship_gives_no_advice(void **state)
+{
+    (void)state;
+    core.game.mode = MODE_CHAMPIONSHIP;
+    core.world.poi[0].strain.cells_torn = 1;
+    core.world.poi[0].velocity_m_s = v3(0.2f, 0.0f, 0.0f);
+    core.world.poi[0].dips = 5;
+    assert_int_equal(hint_after(900), HINT_NONE);
+}
+
+static void test_each_player_has_an_own_hint(void **state)
+{
+    (void)state;
+    core.world.poi[1].link = POI_SOURCE_LIVE;
+    core.world.poi[1].dips = 3;
+    core.lessons.player[1].hints.learned = 1u << HINT_MOVE | 1u << HINT_DIP;
+    assert_int_equal(hint_after(500), HINT_MOVE);
+    assert_int_equal(lesson_after(0, 1)->hint, HINT_GLIDE);
+}
+
+static void test_hints_of_the_whole_screen_are_not_beside_the_poi(void **state)
+{
+    (void)state;
+    core.game.paused = 1;
+    assert_int_equal(hint_after(600), HINT_NONE);
+    core.game.hints.shown = HINT_LOST_POI;
+    assert_int_equal(lesson_screen_hint(&core.game), HINT_LOST_POI);
+    core.game.hints.shown = HINT_GLIDE;
+    assert_int_equal(lesson_screen_hint(&core.game), HINT_NONE);
+    core.game.phase = PHASE_RESULT;
+    core.game.hints.shown = HINT_START;
+    assert_int_equal(lesson_screen_hint(&core.game), HINT_START);
+}
+
 int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, setup)
@@ -229,6 +478,22 @@ int main(void)
         TEST(test_the_arrow_points_to_the_bowl_while_a_fish_lies_on_the_paper),
         TEST(test_the_arrow_is_shown_at_every_level_but_not_in_a_championship),
         TEST(test_no_hash_contains_the_lessons),
+        TEST(test_the_ghost_dips_beside_a_fish_glides_under_it_and_carries_it_to_the_bowl),
+        TEST(test_a_dip_ends_the_ghost),
+        TEST(test_a_dip_in_ready_which_moves_no_poi_ends_the_ghost),
+        TEST(test_only_the_first_round_after_attract_mode_has_a_ghost),
+        TEST(test_a_championship_and_a_bot_have_no_ghost),
+        TEST(test_the_ghost_waits_during_a_pause_and_hides_the_ring),
+        TEST(test_the_hints_to_move_and_to_dip_wait_for_four_seconds),
+        TEST(test_the_hint_to_glide_follows_two_dips_without_a_catch_and_ends),
+        TEST(test_the_hint_to_lift_needs_a_long_dip_and_a_fish_over_the_paper),
+        TEST(test_the_hint_about_the_bowl_follows_a_fish_that_stays_on_the_paper),
+        TEST(test_the_hint_about_haste_follows_motion_that_tears),
+        TEST(test_the_hint_to_tilt_follows_two_flat_dips),
+        TEST(test_useless_paper_is_named_at_once_in_every_mode),
+        TEST(test_a_championship_gives_no_advice),
+        TEST(test_each_player_has_an_own_hint),
+        TEST(test_hints_of_the_whole_screen_are_not_beside_the_poi),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

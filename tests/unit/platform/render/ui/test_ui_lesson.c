@@ -126,6 +126,103 @@ static void test_the_lessons_of_four_players_fit_the_batch(void **state)
     }
 }
 
+static uint32_t quads_of(enum ui_kind kind)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        count += batch.kinds[i] == kind;
+    }
+    return count;
+}
+
+static void test_the_ghost_is_drawn_where_its_ring_is(void **state)
+{
+    (void)state;
+    set_round(1);
+    scene.lesson[0].ghost = (struct scene_ghost){ .is_present = 1,
+                                                  .opacity = 1.0f,
+                                                  .position_m = v3(0.1f, 0.04f, 0.05f) };
+    for (uint32_t i = 0; i < SIZE_COUNT; i++) {
+        const struct ui_point at = project(sizes[i], scene.lesson[0].ghost.position_m);
+        lay_out(sizes[i]);
+        assert_int_equal(quads_of(UI_GHOST), 1);
+        for (uint32_t k = 0; k < batch.quad_count; k++) {
+            if (batch.kinds[k] == UI_GHOST) {
+                const float radius = batch.vertices[4u * k].shape[0];
+                const struct bounds b = bounds_of(k);
+                assert_float_equal(b.left + UI_GHOST_RING_X * radius, at.x, 0.5f);
+                assert_float_equal(b.top + UI_GHOST_RING_Y * radius, at.y, 0.5f);
+            }
+        }
+    }
+}
+
+static void test_the_hint_of_a_single_player_has_words_inside_the_screen(void **state)
+{
+    (void)state;
+    static const float places_m[] = { -0.6f, -0.3f, 0.0f, 0.3f, 0.6f };
+    for (uint32_t n = 0; n < SIZE_COUNT * LANGUAGE_COUNT * HINT_COUNT * 5u; n++) {
+        const struct size size = sizes[n % SIZE_COUNT];
+        const uint8_t hint = (uint8_t)(n / SIZE_COUNT % HINT_COUNT);
+        set_round(1);
+        scene.language = (uint8_t)(n / SIZE_COUNT / HINT_COUNT % LANGUAGE_COUNT);
+        scene.poi[0].position_m.x = places_m[n / SIZE_COUNT / HINT_COUNT / LANGUAGE_COUNT];
+        scene.poi[0].position_m.z = 0.4f * scene.poi[0].position_m.x;
+        lay_out(size);
+        const uint32_t first = batch.quad_count, glyphs = glyph_quads();
+        scene.lesson[0].hint = hint;
+        scene.lesson[0].hint_s = 5.0f;
+        lay_out(size);
+        assert_true(hint == HINT_NONE ? batch.quad_count == first : glyph_quads() > glyphs);
+        for (uint32_t i = 0; i < batch.quad_count; i++) {
+            const struct bounds b = bounds_of(i);
+            if (b.left < -1.0f || b.right > size.width + 1.0f || b.top < -1.0f ||
+                b.bottom > size.height + 1.0f) {
+                fail_msg("hint %d on %gx%g: quad %u of kind %d is at (%g, %g) to (%g, %g)", hint,
+                         (double)size.width, (double)size.height, i, batch.kinds[i], (double)b.left,
+                         (double)b.top, (double)b.right, (double)b.bottom);
+            }
+        }
+    }
+}
+
+static void test_the_hint_does_not_cover_its_ring(void **state)
+{
+    (void)state;
+    for (float z_m = -0.3f; z_m < 0.31f; z_m += 0.1f) {
+        set_round(1);
+        scene.poi[0].position_m = v3(0.0f, 0.035f, z_m);
+        lay_out(sizes[0]);
+        const uint32_t first = batch.quad_count;
+        scene.lesson[0] = (struct scene_lesson){ .hint = HINT_TORN, .hint_s = 5.0f };
+        lay_out(sizes[0]);
+        assert_true(batch.quad_count > first);
+        const struct ui_point at = project(sizes[0], scene.poi[0].position_m);
+        uint32_t panels = 0;
+        for (uint32_t i = 0; i < batch.quad_count; i++) {
+            const struct bounds b = bounds_of(i);
+            const bool is_hint = batch.kinds[i] == UI_PANEL && b.bottom - b.top == 76.0f;
+            panels += is_hint;
+            assert_true(!is_hint || b.bottom < at.y - 0.04f * at.px_per_m ||
+                        b.top > at.y + 0.04f * at.px_per_m);
+        }
+        assert_int_equal(panels, 1);
+    }
+}
+
+static void test_the_hints_of_several_players_have_pictures_and_numbers_only(void **state)
+{
+    (void)state;
+    set_round(4);
+    lay_out(sizes[0]);
+    const uint32_t glyphs = glyph_quads();
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        scene.lesson[i] = (struct scene_lesson){ .hint = HINT_GLIDE, .hint_s = 5.0f };
+    }
+    lay_out(sizes[0]);
+    assert_int_equal(glyph_quads() - glyphs, POI_MAX);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -133,6 +230,10 @@ int main(void)
         cmocka_unit_test(test_the_rings_of_several_players_have_their_numbers),
         cmocka_unit_test(test_the_arrow_runs_from_the_poi_to_the_bowl),
         cmocka_unit_test(test_the_lessons_of_four_players_fit_the_batch),
+        cmocka_unit_test(test_the_ghost_is_drawn_where_its_ring_is),
+        cmocka_unit_test(test_the_hint_of_a_single_player_has_words_inside_the_screen),
+        cmocka_unit_test(test_the_hint_does_not_cover_its_ring),
+        cmocka_unit_test(test_the_hints_of_several_players_have_pictures_and_numbers_only),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

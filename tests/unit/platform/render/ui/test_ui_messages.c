@@ -149,8 +149,8 @@ static void test_a_refunded_round_is_shown_without_a_count(void **state)
 static void test_without_a_hint_no_ribbon_is_drawn(void **state)
 {
     (void)state;
-    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_DIP, 20.0f);
-    memory = (struct ui_memory){ .hint = HINT_DIP };
+    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_LOST_POI, 20.0f);
+    memory = (struct ui_memory){ .hint = HINT_LOST_POI };
     lay_out(sizes[0]);
     const uint32_t with = glyph_quads();
     set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
@@ -171,7 +171,7 @@ static void test_a_new_hint_fades_in(void **state)
 {
     (void)state;
     memory = (struct ui_memory){ 0 };
-    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_DIP, 20.0f);
+    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_LOST_POI, 20.0f);
     lay_out(sizes[0]);
     scene.tick += 12; /* 12 ticks are 0.1 s, so the message has just begun to fade in. */
     lay_out(sizes[0]);
