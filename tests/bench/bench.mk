@@ -132,6 +132,20 @@ $(BENCH_PLAYERS): %: %.o $(PLAYERS_OBJ) $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
+# Pairs of such visitors, one of whom follows an aid on the screen.
+BENCH_HINTS := $(BUILD)/tests/bench/players/hints
+bench-hints: SEEDS = 60
+bench-hints: LEVEL = normal
+
+## measure/bench-hints: Prove each aid for players in SEEDS=60 paired rounds; LEVEL=normal
+bench-hints:
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_HINTS)
+	@$(BENCH_HINTS) $(SEEDS) $(LEVEL) $(SIGN)
+
+$(BENCH_HINTS): %: %.o $(BUILD)/tests/bench/players/pupils.o $(PLAYERS_OBJ) $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
 # A day of such visitors at one kiosk, with a queue and coins.
 BENCH_DAY := $(BUILD)/tests/bench/day/bench_day
 DAY_OBJ := $(PERSON_OBJ) $(patsubst %,$(BUILD)/tests/bench/day/%.o,visitor day table report)
@@ -149,4 +163,4 @@ $(BENCH_DAY): %: %.o $(DAY_OBJ) $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-.PHONY: bench-technique bench-scores bench-players bench-day
+.PHONY: bench-technique bench-scores bench-players bench-hints bench-day

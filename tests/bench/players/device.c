@@ -151,11 +151,12 @@ static void send_poi(struct device *device, const struct player_command *command
 {
     const struct habits *habits = device->habits;
     const float dt_s = 0.5f * FRAME_S;
-    const float goal_m = command->dips ? DIP_DEPTH_M : POI_HOVER_M;
+    const float depth_m = habits->depth_m != 0.0f ? habits->depth_m : DIP_DEPTH_M;
+    const float goal_m = command->dips ? depth_m : POI_HOVER_M;
     const float most_m_s = command->dips ? habits->dip_m_s : habits->lift_m_s;
     const float pace_m_s =
         f_clamp((goal_m - device->height_m) / HEIGHT_EASE_S, -most_m_s, most_m_s);
-    const bool goes_down = command->dips && device->height_m > 0.6f * DIP_DEPTH_M;
+    const bool goes_down = command->dips && device->height_m > 0.6f * depth_m;
     device->climb_m_s += (pace_m_s - device->climb_m_s) * (dt_s / (dt_s + 0.5f * HEIGHT_EASE_S));
     device->height_m += device->climb_m_s * dt_s;
     device->pitch_rad =

@@ -26,5 +26,6 @@ void person_see(struct person *person, const struct scene *scene)
     if (person->player.habits->device != PLAYER_BOT) {
         sim_player_see(scene, person->slot, &person->sight);
         person->command = sim_player_frame(&person->player, &person->sight);
+        person->device.habits = person->player.habits; /* A sign may have changed the habits. */
     }
 }

@@ -38,6 +38,10 @@ void sim_player_see(const struct scene *scene, uint32_t slot, struct sight *sigh
     CORE_ASSERT(scene->fish_count <= PLAYER_FISH_MAX && slot < POI_MAX);
     *sight = (struct sight){
         .in_round = scene->phase == PHASE_ROUND,
+        .hint = scene->lesson[slot].hint,
+        .has_arrow = scene->lesson[slot].points_to_bowl,
+        .has_ghost = scene->lesson[slot].ghost.is_present,
+        .marked = scene->lesson[slot].marks_fish ? scene->lesson[slot].fish : PLAYER_NO_FISH,
         .ring_m = scene->poi[slot].position_m,
         .bowl_m = scene->bowl[slot].position_m,
         .bowl_radius_m = scene->bowl[slot].radius_m,
@@ -120,6 +124,11 @@ static float state_s(const struct sim_player *player)
     return (float)(player->frame - player->state_frame) / (float)PLAYER_HZ;
 }
 
+static float round_s(const struct sim_player *player)
+{
+    return (float)player->round_frame / (float)PLAYER_HZ;
+}
+
 static float draw(const struct sim_player *player, uint32_t what, float low, float high)
 {
     return rng_range((struct rng_key){ player->seed, player->tries, what, RNG_BOT_CHOICE }, low,
@@ -158,6 +167,9 @@ static float cost_px(const struct sim_player *player, const struct sight *seen, 
 static uint16_t choose_fish(const struct sim_player *player)
 {
     const struct sight *seen = seen_by(player);
+    if (player->habits->takes_marked && seen->marked != PLAYER_NO_FISH) {
+        return seen->marked;
+    }
     uint16_t best = PLAYER_NO_FISH;
     float best_px = 0.0f;
     for (uint32_t i = 0; i < seen->fish_count; i++) {
@@ -177,7 +189,7 @@ static uint8_t tick_choose(struct sim_player *player)
     const struct habits *habits = player->habits;
     player->command.dips = player->command.tips = false;
     player->command.speed_px_s = 0.0f;
-    if (state_s(player) < habits->pause_s) {
+    if (state_s(player) < habits->pause_s || round_s(player) < habits->start_s) {
         return PLAYER_CHOOSE;
     }
     player->tries++;
@@ -221,11 +233,12 @@ static uint8_t tick_reach(struct sim_player *player)
     const bool is_there = dx * dx + dy * dy < habits->reach_px * habits->reach_px;
     const bool is_calm = habits->calm_m_s <= 0.0f ||
                          v3_length(fish_velocity_m_s(player, player->prey)) < habits->calm_m_s;
-    if (is_there && is_calm) {
+    const bool may_dip = round_s(player) >= habits->dip_start_s;
+    if (is_there && is_calm && may_dip) {
         return PLAYER_STILL;
     }
     if (state_s(player) > habits->patience_s) {
-        return habits->calm_m_s > 0.0f ? PLAYER_CHOOSE : PLAYER_STILL;
+        return habits->calm_m_s > 0.0f || !may_dip ? PLAYER_CHOOSE : PLAYER_STILL;
     }
     return PLAYER_REACH;
 }
@@ -302,7 +315,7 @@ static uint8_t tick_carry(struct sim_player *player)
     struct player_command *command = &player->command;
     const vec3 bowl_m = v3(seen->bowl_m.x, DIP_HOVER_M, seen->bowl_m.z);
     sim_player_to_screen(&player->view, bowl_m, &command->x_px, &command->y_px);
-    command->speed_px_s = player->habits->carry_px_s;
+    command->speed_px_s = player->habits->keeps ? 0.0f : player->habits->carry_px_s;
     command->tips = screen_gap_px(player, seen->ring_m, bowl_m) < TIP_PX;
     const bool is_done = !seen->has_catch || state_s(player) > CARRY_S;
     return is_done ? PLAYER_CHOOSE : PLAYER_CARRY;
@@ -323,6 +336,19 @@ void sim_player_init(struct sim_player *player, const struct habits *habits,
                                                 .y_px = 0.5f * PLAYER_HEIGHT_PX } };
 }
 
+/* Changes the habits of a player who sees the sign that the player follows. */
+static void follow_sign(struct sim_player *player)
+{
+    const struct sight *seen = seen_by(player);
+    const uint8_t sign = player->habits->sign;
+    if (sign != 0 && (sign == SIGN_ARROW   ? seen->has_arrow
+                      : sign == SIGN_GHOST ? seen->has_ghost
+                      : sign == SIGN_RING  ? seen->marked != PLAYER_NO_FISH
+                                           : sign == seen->hint)) {
+        player->habits = player->habits->cured;
+    }
+}
+
 struct player_command sim_player_frame(struct sim_player *player, const struct sight *now)
 {
     static uint8_t (*const states[PLAYER_STATE_COUNT])(struct sim_player *) = {
@@ -333,6 +359,8 @@ struct player_command sim_player_frame(struct sim_player *player, const struct s
     player->sights[player->frame % PLAYER_SIGHT_MAX] = *now;
     player->frame++;
     const bool plays = seen_by(player)->in_round;
+    player->round_frame = plays ? player->round_frame + 1u : 0u;
+    follow_sign(player);
     const uint8_t next = plays ? states[player->state](player) : (uint8_t)PLAYER_CHOOSE;
     if (!plays) {
         player->command.dips = player->command.tips = false;

@@ -22,6 +22,14 @@
 
 /* ---- Habits ---------------------------------------------------------------------------------- */
 
+/* Signs on the screen that a player may follow: the hints beside the poi (enum scene_hint), and the
+ * other aids of the lessons. */
+enum player_sign {
+    SIGN_ARROW = HINT_COUNT, /* The arrow to the bowl. */
+    SIGN_RING,               /* The ring around a fish that is easy to catch. */
+    SIGN_GHOST,              /* The ghost that shows the technique. */
+};
+
 enum player_device {
     PLAYER_MOUSE = 0,
     /* Touch screen: one finger moves the ring, and a second finger dips the ring. */
@@ -35,6 +43,16 @@ enum player_device {
 struct habits {
     const char *name;
     uint8_t device; /* Input device (enum player_device). */
+
+    /* Sign (enum scene_hint or enum player_sign) after which the player has the habits `cured`; 0
+     * means that the player follows no sign. */
+    uint8_t sign;
+    const struct habits *cured;
+
+    /* Time of the round before which the player does not choose a fish, or does not dip. */
+    float start_s, dip_start_s;
+    bool takes_marked; /* True if the player chooses the fish with the ring, if there is one. */
+    bool keeps;        /* True if the player does not carry the catch to the bowl. */
 
     float reaction_s; /* Seconds from the display of a picture to the player's reaction to it. */
     /* Fraction [0, 1] of the reaction time for which the player predicts the motion of a fish. With
@@ -100,6 +118,7 @@ struct habits {
                                 lifted. */
     float entry_rad;         /* Tilt of the ring while it goes down, in radians. */
     float tremor_m;          /* Amplitude of the tremor of the player's hand. */
+    float depth_m;           /* Height of the dipped ring; 0 means DIP_DEPTH_M. */
 };
 
 /* Rows of the table of players (habits.c), in the order of the report. */
@@ -134,6 +153,9 @@ struct sight_fish {
 struct sight {
     bool in_round;  /* True while the round runs. */
     bool has_catch; /* True while a fish lies on the player's paper. */
+    uint8_t hint;   /* Hint beside the player's poi (enum scene_hint). */
+    bool has_arrow, has_ghost;
+    uint16_t marked; /* Index of the fish with the player's ring, or PLAYER_NO_FISH. */
     vec3 ring_m, bowl_m;
     /* Positions of the other players' bowls. */
     vec3 other_bowls_m[POI_MAX];
@@ -161,6 +183,7 @@ struct sim_player {
     struct view view;
     uint32_t seed;
     uint32_t frame;       /* Number of frames that the player has seen. */
+    uint32_t round_frame; /* Number of frames of the round seen. */
     uint8_t state;        /* Current state (enum player_state). */
     uint32_t state_frame; /* Frame in which the state began. */
     uint32_t tries;       /* Number of fish chosen so far. */
