@@ -140,8 +140,8 @@ struct scene_ghost {
 
 /* Lesson of one player (core/game/lesson/lesson.h): aids that are drawn in the tank. */
 struct scene_lesson {
-    uint8_t hint; /* Hint beside the player's poi (enum scene_hint). */
-    float hint_s; /* Seconds since this hint appeared. */
+    uint8_t hint;           /* Hint beside the player's poi (enum scene_hint). */
+    float hint_s;           /* Seconds since this hint appeared. */
     uint8_t marks_fish;     /* 1 if a ring marks the fish `fish`, otherwise 0. */
     uint8_t points_to_bowl; /* 1 if an arrow points from the poi to the bowl, otherwise 0. */
     uint16_t fish;          /* Index of the marked fish. */

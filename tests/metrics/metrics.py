@@ -57,6 +57,7 @@ FEATURE_LINES = {
     'a fish as a present': 93,
     'a lifted fish that thrashes, and water that runs off the paper': 50,
     'lessons: a ring around an easy fish, and an arrow to the bowl': 206,
+    'lessons: a ghost hand, and hints beside the poi': 466,
     'caught fish that fly to the counter, and the word for a near miss': 201,
     'a click to dip, the reach of pointers, and a number on each handle': 62,
     'the fall of a present into its bowl': 15,

@@ -105,7 +105,7 @@ static void draw_ghost(const struct ui_frame *frame, uint32_t player)
                                  .kind = UI_GHOST,
                                  .fill = ui_fade(ui_player_colours[player], GHOST_OPACITY),
                                  .shape = { radius, flat, under } });
-    if (ui_player_count(frame->scene) > 1u || ui_seat_count(frame->scene) > 1u) {
+    if (ui_bowl_count(frame->scene) > 1u) {
         ui_player_mark(frame, at.x - 0.8f * radius, at.y - 0.9f * radius, 17.0f * frame->unit,
                        player);
     }
