@@ -52,15 +52,16 @@ FORMATTER = 'clang-format-19'
 CODE_LINES_MAX = 78000
 # Features that came after the bound, with the code lines that cloc counts in the commit of each.
 FEATURE_LINES = {
-    'the cause of a tear, with slow motion': 444,
+    'the cause of a tear, with slow motion': 456,
     'levels by a tag with a picture': 406,
     'a fish as a present': 93,
-    'a lifted fish that thrashes, and water that runs off the paper': 50,
-    'lessons: a ring around an easy fish, and an arrow to the bowl': 206,
-    'lessons: a ghost hand, and hints beside the poi': 466,
-    'caught fish that fly to the counter, and the word for a near miss': 201,
+    'a lifted fish that thrashes, and water that runs off the paper': 45,
+    'lessons: a ring around an easy fish, and an arrow to the bowl': 258,
+    'lessons: a ghost hand, and hints beside the poi': 476,
+    'caught fish that fly to the counter, and the word for a near miss': 193,
     'a click to dip, the reach of pointers, and a number on each handle': 62,
-    'the fall of a present into its bowl': 15,
+    'the fall of a present into its bowl': 14,
+    'a signal stack for the audio thread of SDL': 7,
     'a bound for the rewritten part of the write-ahead log': 24,
 }
 
