@@ -49,10 +49,12 @@ static void fish_are_as_shown(const struct vision *vision)
     assert_int_equal(vision_game(vision).fish_count, scene.fish_count);
     for (uint32_t i = 0; i < scene.fish_count; i++) {
         const struct vision_fish fish = vision_fish(vision, i);
-        SAME(fish.position_m, scene.fish[i].position_m);
+        if (fish.place != SCENE_ON_POI) { /* A lifted fish thrashes in the picture only. */
+            SAME(fish.position_m, scene.fish[i].position_m);
+            SAME(fish.bend_rad, scene.fish[i].bend_rad);
+        }
         SAME(fish.angles, scene.fish[i].angles);
         SAME(fish.length_m, scene.fish[i].length_m);
-        SAME(fish.bend_rad, scene.fish[i].bend_rad);
         SAME(fish.gape, scene.fish[i].gape);
         SAME(fish.gulp, scene.fish[i].gulp);
         SAME(fish.place, scene.fish[i].place);

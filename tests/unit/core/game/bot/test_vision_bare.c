@@ -131,6 +131,13 @@ static void keep_poi(struct poi *poi, const struct poi *from)
         poi->sheet.wetness[i] = f_min((wet + 0.5f) / 255.0f, 1.0f);
         poi->sheet.damage[i] = 1.0f - f_min((whole + 0.5f) / 254.0f, 1.0f);
     }
+    /* The scene shows how strongly each fish on the paper thrashes, and to which side. */
+    poi->carried_count = from->carried_count;
+    for (uint32_t i = 0; i < from->carried_count; i++) {
+        poi->carried_fish[i].fish = from->carried_fish[i].fish;
+        poi->carried_fish[i].side = from->carried_fish[i].side;
+        poi->carried_fish[i].vigour = from->carried_fish[i].vigour;
+    }
 }
 
 /* Copies only the visible state of a bowl. The scene shows the bowl's water and its fish together
@@ -163,6 +170,7 @@ static void bare_of(struct core *core, const struct core *from)
 {
     memset(core, NONSENSE, sizeof *core);
     KEEP(core, from, core_parts);
+    core->game.album.fish_count = 0; /* No present falls into a bowl before the first result. */
     keep_tank(&core->world.tank, &from->world.tank);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         KEEP(&core->game.player[i], &from->game.player[i], player_parts);
