@@ -235,6 +235,9 @@ static void mouse_poi_set_view(void *self, const struct view *view,
     CORE_ASSERT(view && display_settings);
     struct mouse_poi *mouse = self;
     mouse->pointer.view = *view;
+    if (scoops != mouse->pointer.dip.scoops) {
+        pointer_aid_raise(&mouse->aid);
+    }
     mouse->pointer.dip.scoops = scoops;
     mouse->display_settings = *display_settings;
 }

@@ -19,3 +19,8 @@ void pointer_aid_apply(struct pointer_aid *aid, bool scoops, struct pointer_repo
         report->y_px = height - up * 100.0f / (float)aid->reach_percent;
     }
 }
+
+void pointer_aid_raise(struct pointer_aid *aid)
+{
+    aid->is_down = false;
+}

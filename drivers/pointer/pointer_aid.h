@@ -22,3 +22,7 @@ struct pointer_aid {
 /* Adapts `report`, which has image coordinates (pointer_report_on()). `scoops` is false on pages
  * with buttons, where a press acts as long as it lasts and lifts a ring that is still lowered. */
 void pointer_aid_apply(struct pointer_aid *aid, bool scoops, struct pointer_report *report);
+
+/* Raises the ring until the button is pressed again. Must be called when a page with buttons opens
+ * or closes. Otherwise the press on a tag of the page would also lower the ring in the round. */
+void pointer_aid_raise(struct pointer_aid *aid);

@@ -54,6 +54,17 @@ static void test_a_page_with_buttons_is_pressed_as_long_as_the_button(void **sta
     assert_true(is_down(&aid, true, true)); /* The first click of a round dips. */
 }
 
+static void test_a_press_on_a_page_does_not_lower_the_ring_in_the_round(void **state)
+{
+    (void)state;
+    struct pointer_aid aid = { .clicks = true };
+    assert_true(is_down(&aid, false, true)); /* The press chooses a tag, and the page closes. */
+    pointer_aid_raise(&aid);
+    assert_false(is_down(&aid, true, true)); /* The button is still held. */
+    assert_false(is_down(&aid, true, false));
+    assert_true(is_down(&aid, true, true)); /* The first click of the round dips. */
+}
+
 static void test_the_lower_part_of_the_picture_reaches_the_whole_picture(void **state)
 {
     (void)state;
@@ -74,6 +85,7 @@ int main(void)
         cmocka_unit_test(test_without_options_a_report_is_unchanged),
         cmocka_unit_test(test_one_click_dips_and_the_next_lifts),
         cmocka_unit_test(test_a_page_with_buttons_is_pressed_as_long_as_the_button),
+        cmocka_unit_test(test_a_press_on_a_page_does_not_lower_the_ring_in_the_round),
         cmocka_unit_test(test_the_lower_part_of_the_picture_reaches_the_whole_picture),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
