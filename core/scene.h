@@ -228,8 +228,8 @@ enum scene_hint {
     HINT_NONE = 0,
     HINT_START,     /* Press START to play. */
     HINT_MOVE,      /* Move the poi over a fish. */
-    HINT_DIP,       /* Hold the button to dip. */
-    HINT_LIFT,      /* Release the button to lift. */
+    HINT_DIP,       /* Dip beside a fish. */
+    HINT_LIFT,      /* Lift the fish that is over the paper. */
     HINT_BOWL,      /* Carry the fish to the bowl. */
     HINT_TILT,      /* The wheel tilts the poi. */
     HINT_SLOWLY,    /* Fast movement tears paper. */

@@ -57,7 +57,7 @@ FEATURE_LINES = {
     'a fish as a present': 93,
     'a lifted fish that thrashes, and water that runs off the paper': 45,
     'lessons: a ring around an easy fish, and an arrow to the bowl': 258,
-    'lessons: a ghost hand, and hints beside the poi': 476,
+    'lessons: a ghost hand, and hints beside the poi': 505,
     'caught fish that fly to the counter, and the word for a near miss': 193,
     'a click to dip, the reach of pointers, and a number on each handle': 69,
     'the fall of a present into its bowl': 14,

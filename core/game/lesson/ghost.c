@@ -46,8 +46,9 @@ void lesson_ghost_tick(struct lessons *lessons, const struct game *game, const s
     const struct poi *poi = &world->poi[player];
     const float y_m = game->control[player].live_y_m;
     CORE_ASSERT(player < POI_MAX && ghost->state <= GHOST_IS_OVER);
-    /* In READY the poi stays above the water, so that only the controller's pose shows a dip. */
-    const bool dips = poi->immersed > 0.0f ||
+    /* In READY the game lifts the poi, whose dips were made by the bot. Before the round, only the
+     * pose of the controller shows a dip of the player. */
+    const bool dips = (game->phase == PHASE_ROUND && (poi->immersed > 0.0f || poi->dips > 0)) ||
                       (ghost->live_y_m >= RULES_DIP_Y_M && y_m < RULES_DIP_Y_M && y_m > -1.0f);
     ghost->live_y_m = y_m;
     if (ghost->state == GHOST_RUNS) {
@@ -61,8 +62,7 @@ void lesson_ghost_tick(struct lessons *lessons, const struct game *game, const s
             ghost->fish_m = world->tank.fish[ghost->fish].position_m;
         }
     }
-    if (!lessons->is_first || (is_taught && (dips || poi->dips > 0)) ||
-        ghost->ticks >= LESSON_GHOST_TICKS) {
+    if (!lessons->is_first || (is_taught && dips) || ghost->ticks >= LESSON_GHOST_TICKS) {
         ghost->state = GHOST_IS_OVER;
         ghost->fish = LESSON_NO_FISH;
     }

@@ -18,10 +18,11 @@
 #define FLAT_RAD 0.2f
 /* Number of flat dips after which the hint to tilt the poi is shown. */
 #define FLAT_DIPS 2u
-/* The motion of the poi is too fast if the ring is faster than HASTE_M_S while its paper tears or
- * its warning (sheet_warning()) exceeds HASTE_WARNING. The hint is then due for HASTE_TICKS. */
+/* The motion of the poi is too fast if the ring is faster than HASTE_M_S while its paper tears, or
+ * while the ring is in the water and the tension in the paper exceeds HASTE_SHARE of the strength
+ * of fresh wet paper. Earlier damage has no effect. The hint is then due for HASTE_TICKS. */
 #define HASTE_M_S 0.12f
-#define HASTE_WARNING 0.6f
+#define HASTE_SHARE 0.6f
 #define HASTE_TICKS (3u * CORE_TICK_HZ)
 /* Time under water after which a player who does not lift a fish gets the hint to lift. */
 #define UNDER_TICKS (3u * CORE_TICK_HZ / 2u)
@@ -34,14 +35,20 @@ static const uint16_t fault_ticks[HINT_COUNT] = {
     [HINT_BOWL] = 3u * CORE_TICK_HZ / 2u,
 };
 
+/* Resets the lesson of `player`, but not the ghost. */
+static void reset_lesson(struct lessons *lessons, uint32_t player)
+{
+    lessons->player[player] = (struct lesson){ .fish = LESSON_NO_FISH,
+                                               .hints.pupil = (uint8_t)player,
+                                               .ghost = lessons->player[player].ghost };
+}
+
 void lesson_init(struct lessons *lessons)
 {
-    *lessons = (struct lessons){ .is_first = true };
+    lessons->is_first = true;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        lessons->player[i] =
-            (struct lesson){ .fish = LESSON_NO_FISH,
-                             .hints.pupil = (uint8_t)i,
-                             .ghost = { .fish = LESSON_NO_FISH, .live_y_m = -1.0f } };
+        lessons->player[i].ghost = (struct ghost){ .fish = LESSON_NO_FISH, .live_y_m = -1.0f };
+        reset_lesson(lessons, i);
     }
 }
 
@@ -127,16 +134,20 @@ static uint8_t wanted_hint(const struct lesson *lesson, const struct game *game,
                : hint;
 }
 
-/* Returns the hint that is due beside the poi of `lesson`. */
-static uint8_t due_hint(const struct lesson *lesson, const struct game *game,
-                        const struct world *world)
+/* Returns the hint that is due beside the poi of `lesson`, and updates `lesson->wanted`. */
+static uint8_t due_hint(struct lesson *lesson, const struct game *game, const struct world *world)
 {
     const uint8_t hint = wanted_hint(lesson, game, world);
-    const uint32_t since = lesson->hints.shown_tick, start = game->phase_tick;
-    const uint32_t age = game->tick - (since - start < UINT32_MAX / 2u ? since : start);
     CORE_ASSERT(hint < HINT_COUNT);
+    if (hint != lesson->wanted) {
+        lesson->wanted = hint;
+        lesson->wanted_tick = game->tick;
+    }
+    const uint32_t since = lesson->wanted_tick, start = game->phase_tick;
+    const uint32_t age = game->tick - (since - start < UINT32_MAX / 2u ? since : start);
     if (hint == HINT_TORN) {
-        return HINT_TORN;
+        const bool is_live = world->poi[lesson->hints.pupil].link == POI_SOURCE_LIVE;
+        return is_live && age < HINT_TICKS_MAX ? (uint8_t)HINT_TORN : (uint8_t)HINT_NONE;
     }
     const bool is_turn = age >= fault_ticks[hint] &&
                          (age - fault_ticks[hint]) % (2u * HINT_TICKS_MAX) < HINT_TICKS_MAX;
@@ -153,8 +164,10 @@ static void observe_faults(struct lesson *lesson, const struct poi *poi, uint32_
     } else if (poi->splash_m_s > 0.0f && pitch_rad >= FLAT_RAD) {
         lesson->flat_dips = 0; /* The player has followed the hint. */
     }
-    if (v3_length(poi->velocity_m_s) > HASTE_M_S &&
-        (poi->strain.cells_torn > 0 || sheet_warning(&poi->sheet) > HASTE_WARNING)) {
+    const bool is_loaded =
+        poi->immersed > 0.0f &&
+        poi->strain.tension_max_n_m > HASTE_SHARE * sheet_grade(poi->sheet.grade)->wet_n_m;
+    if (v3_length(poi->velocity_m_s) > HASTE_M_S && (poi->strain.cells_torn > 0 || is_loaded)) {
         lesson->haste_tick = tick;
     }
 }
@@ -164,7 +177,9 @@ static void tick_hint(struct lesson *lesson, const struct game *game, const stru
     const uint8_t player = lesson->hints.pupil;
     const struct poi *poi = &world->poi[player];
     const bool is_round = game->phase == PHASE_READY || game->phase == PHASE_ROUND;
-    observe_faults(lesson, poi, game->tick);
+    if (is_scooping(game, world, player)) {
+        observe_faults(lesson, poi, game->tick);
+    }
     lesson->under_ticks = poi->immersed > 0.5f ? lesson->under_ticks + 1u : 0u;
     if (!is_round || !player_has_poi(world, player)) {
         lesson->hint = HINT_NONE;
@@ -191,7 +206,11 @@ void lesson_tick(struct lessons *lessons, const struct game *game, const struct 
         return;
     }
     lessons->is_first = lessons->is_first && game->phase != PHASE_RESULT;
+    const bool is_new_game = game->phase == PHASE_READY && game->tick == game->phase_tick;
     for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (is_new_game || world->poi[i].link == POI_SOURCE_ABSENT) {
+            reset_lesson(lessons, i);
+        }
         lesson_ghost_tick(lessons, game, world, i, is_taught(game, world, i));
         if (game->tick == game->phase_tick || game->tick % LOOK_TICKS == 0) {
             mark_fish(lessons, game, world, i);
@@ -232,5 +251,7 @@ void lesson_show(const struct lessons *lessons, const struct game *game, const s
         .mark_s = (float)(game->tick - lesson->fish_tick) * CORE_TICK_S,
         .points_to_bowl = points_to_bowl(game, world, player),
     };
-    lesson_ghost_show(&lesson->ghost, &world->bowl[player], &out->ghost);
+    if (is_taught(game, world, player)) {
+        lesson_ghost_show(&lesson->ghost, &world->bowl[player], &out->ghost);
+    }
 }

@@ -8,7 +8,8 @@
  * - An arrow points to the player's bowl while a fish lies on the paper.
  * - A hint beside the poi names the next step, but only after the fault that the hint cures.
  *
- * Each player sees one aid at a time, at the own poi. The championship has no lessons.
+ * Each player sees one aid at a time, at the own poi. The championship has no lessons except two
+ * hints, which report an event: the paper is useless, or fish were poured into the bowl.
  *
  * The lessons are used for display only: the simulation never reads them, and no hash contains
  * them. They depend only on the state of the game and of the world, so a replay shows the same
@@ -45,10 +46,12 @@ struct lesson {
     uint32_t fish_tick; /* Tick at which this fish was marked. */
     /* Hint that fits the player's situation, and the tick since which the hint fits. */
     struct hints hints;
+    uint8_t wanted;       /* Hint that fits, or that a fault found by lesson.c has replaced. */
+    uint32_t wanted_tick; /* Tick since which `wanted` has its value. */
     uint8_t hint;         /* Shown hint (enum scene_hint). */
     uint32_t hint_tick;   /* Tick at which the shown hint appeared. */
     uint32_t under_ticks; /* Ticks since the poi was dipped; 0 above the water. */
-    uint32_t haste_tick;  /* Tick at which motion last overloaded the paper; 0 means never. */
+    uint32_t haste_tick;  /* Tick at which the poi last moved too fast; 0 means never. */
     uint8_t flat_dips;    /* Number of fast entries into the water with a level ring, up to 255. */
     struct ghost ghost;
 };
@@ -58,7 +61,9 @@ struct lessons {
     struct lesson player[POI_MAX];
 };
 
-/* Initializes the lessons for new players. */
+/* Initializes the lessons of all players for attract mode, so that the next round has ghosts.
+ * lesson_tick() resets the lesson of a player, but not the ghost, when READY begins and while the
+ * player has no poi. */
 void lesson_init(struct lessons *lessons);
 
 /* Runs one tick of the lessons of all players. Must be called after game_tick(). */

@@ -104,13 +104,20 @@ void ui_catch_flights(const struct ui_frame *frame, uint32_t player, float x, fl
     }
 }
 
+bool ui_tells_near_miss(const struct scene *scene, uint32_t player)
+{
+    const float miss_s = scene->player[player].miss_s;
+    CORE_ASSERT(player < POI_MAX);
+    return miss_s > 0.0f && miss_s < MISS_S && scene->poi[player].present;
+}
+
 void ui_near_misses(const struct ui_frame *frame)
 {
     const bool is_brush = frame->language == LANGUAGE_JA;
     const char *const words = ui_words(frame, TEXT_CALL_NEAR_MISS);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const float miss_s = frame->scene->player[i].miss_s;
-        if (miss_s <= 0.0f || miss_s >= MISS_S || !frame->scene->poi[i].present) {
+        if (!ui_tells_near_miss(frame->scene, i)) {
             continue;
         }
         const float u = frame->unit;

@@ -12,8 +12,11 @@
 #define HEIGHT 76.0f
 #define WORDS_SIZE 27.0f
 #define MARGIN 14.0f
-#define GAP 20.0f            /* Distance between the ring and the hint. */
-#define PLATES_HEIGHT 110.0f /* Height of the plates at the top of the screen. */
+#define GAP 20.0f /* Distance between the ring and the hint. */
+/* Height of the plates at the top of the screen for a single player, and the greatest height for
+ * several players, whose plates are below the clock in a narrow window. */
+#define PLATES_HEIGHT 110.0f
+#define PLATES_HEIGHT_MANY 190.0f
 
 #define WATER_LINE 0x6fd2f4ffu
 
@@ -116,7 +119,8 @@ void ui_poi_hint(const struct ui_frame *frame, uint32_t player)
     const struct scene_lesson *const lesson = &scene->lesson[player];
     const struct scene_poi *const poi = &scene->poi[player];
     CORE_ASSERT(player < POI_MAX);
-    if (lesson->hint == HINT_NONE || lesson->hint >= HINT_COUNT || !poi->present) {
+    if (lesson->hint == HINT_NONE || lesson->hint >= HINT_COUNT || !poi->present ||
+        ui_tells_near_miss(scene, player)) {
         return;
     }
     const float u = frame->unit, in = f_smoothstep(0.0f, FADE_IN_S, lesson->hint_s);
@@ -129,7 +133,8 @@ void ui_poi_hint(const struct ui_frame *frame, uint32_t player)
     const float width = (PICTURE_WIDTH + MARGIN) * u + room, height = HEIGHT * u;
     const float reach = poi->ring_radius_m * at.px_per_m + GAP * u;
     /* The hint is above the ring, or below it if the plates at the top are there. */
-    const bool is_above = at.y - reach - height > PLATES_HEIGHT * u;
+    const bool is_above =
+        at.y - reach - height > (is_alone ? PLATES_HEIGHT : PLATES_HEIGHT_MANY) * u;
     const float top = is_above ? at.y - reach - height : at.y + reach;
     const struct ui_box box = {
         f_clamp(at.x - 0.5f * width, 8.0f * u, fmaxf(frame->width - width - 8.0f * u, 8.0f * u)),

@@ -79,7 +79,9 @@ uint32_t ui_catch_shown(const struct ui_frame *frame, uint32_t player);
 float ui_catch_pop(const struct ui_frame *frame, uint32_t player);
 /* Draws the fish of a player that fly from the bowl to the counter, which is at (x, y). */
 void ui_catch_flights(const struct ui_frame *frame, uint32_t player, float x, float y);
-/* Draws a word over each poi that has just missed a fish narrowly. */
+/* Returns true while a word over the poi of `player` tells that it narrowly missed a fish. */
+bool ui_tells_near_miss(const struct scene *scene, uint32_t player);
+/* Draws this word over each poi that has one. */
 void ui_near_misses(const struct ui_frame *frame);
 
 /* Draws a player's number on a disc of the player's colour, centred at (x, y). */

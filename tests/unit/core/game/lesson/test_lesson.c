@@ -313,6 +313,48 @@ static void test_a_championship_and_a_bot_have_no_ghost(void **state)
     assert_true(ghost_after(60)->is_present);
 }
 
+static void test_the_bots_dips_before_the_game_do_not_end_the_ghost(void **state)
+{
+    (void)state;
+    static struct output output;
+    const struct core_config config = { .seed = 3, .fish_count = 40, .players = 1 };
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    struct input input = { .poi[0].link = POI_SOURCE_BOT };
+    const struct poi *poi = &core.world.poi[0];
+    const uint32_t ticks_max = 60u * CORE_TICK_HZ;
+    for (uint32_t i = 0; i < ticks_max && (poi->dips == 0 || poi->immersed <= 0.0f); i++) {
+        assert_int_equal(core_tick(&core, &input, &output), CORE_OK);
+    }
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    assert_true(poi->dips > 0 && poi->immersed > 0.0f);
+    input.poi[0] =
+        (struct poi_input){ .link = POI_SOURCE_LIVE, .target.position_m = v3(0.05f, 0.06f, 0.02f) };
+    for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
+        input.pressed = i == 0 ? INPUT_START : 0u;
+        assert_int_equal(core_tick(&core, &input, &output), CORE_OK);
+    }
+    assert_int_equal(core.game.phase, PHASE_READY);
+    lesson_show(&core.lessons, &core.game, &core.world, 0, &shown);
+    assert_true(shown.ghost.is_present);
+    while (core.game.phase == PHASE_READY) { /* The ghost continues in the round. */
+        assert_int_equal(core_tick(&core, &input, &output), CORE_OK);
+    }
+    assert_int_equal(core_tick(&core, &input, &output), CORE_OK);
+    lesson_show(&core.lessons, &core.game, &core.world, 0, &shown);
+    assert_true(shown.ghost.is_present);
+}
+
+static void test_the_ghost_of_a_player_without_a_controller_is_hidden(void **state)
+{
+    (void)state;
+    begin_first_round();
+    assert_true(ghost_after(60)->is_present);
+    core.world.poi[0].link = POI_SOURCE_LOST;
+    assert_false(ghost_after(10)->is_present);
+    core.world.poi[0].link = POI_SOURCE_LIVE;
+    assert_true(ghost_after(10)->is_present);
+}
+
 static void test_the_ghost_waits_during_a_pause_and_hides_the_ring(void **state)
 {
     (void)state;
@@ -399,6 +441,99 @@ static void test_the_hint_about_haste_follows_motion_that_tears(void **state)
     assert_int_not_equal(hint_after(400), HINT_SLOWLY);
 }
 
+static void test_the_hint_about_haste_appears_whenever_its_fault_occurs(void **state)
+{
+    (void)state;
+    struct poi *poi = &core.world.poi[0];
+    learn(HINT_MOVE);
+    learn(HINT_DIP);
+    poi->dips = 2;
+    assert_int_equal(hint_after(60), HINT_GLIDE);
+    assert_int_equal(hint_after(940), HINT_NONE); /* HINT_GLIDE still fits, but is hidden now. */
+    poi->strain.cells_torn = 1;
+    poi->velocity_m_s = v3(0.2f, 0.0f, 0.0f);
+    assert_int_equal(hint_after(13), HINT_SLOWLY);
+}
+
+static void test_damage_alone_is_no_haste(void **state)
+{
+    (void)state;
+    struct poi *poi = &core.world.poi[0];
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        poi->sheet.damage[i] = 0.9f;
+    }
+    const float strength_n_m = sheet_grade(poi->sheet.grade)->wet_n_m;
+    poi->velocity_m_s = v3(0.2f, 0.0f, 0.0f);
+    poi->immersed = 0.3f;
+    poi->strain.tension_max_n_m = 0.5f * strength_n_m;
+    assert_int_not_equal(hint_after(60), HINT_SLOWLY);
+    poi->immersed = 0.0f; /* A load in the air is no haste either. */
+    poi->strain.tension_max_n_m = 0.7f * strength_n_m;
+    assert_int_not_equal(hint_after(60), HINT_SLOWLY);
+    poi->immersed = 0.3f;
+    assert_int_equal(hint_after(60), HINT_SLOWLY);
+}
+
+static void expect_a_new_lesson(uint32_t player)
+{
+    const struct lesson *lesson = &core.lessons.player[player];
+    assert_int_equal(lesson->flat_dips, 0);
+    assert_int_equal(lesson->haste_tick, 0);
+    assert_true(lesson->hints.moved_m < 0.01f);
+    assert_int_equal(lesson->hints.learned, 0);
+    assert_int_equal(lesson->hints.pupil, player);
+    assert_int_equal(lesson->ghost.state, GHOST_IS_OVER);
+}
+
+static void play_with_faults(void)
+{
+    for (uint32_t i = 0; i < 2u; i++) {
+        core.lessons.player[i].flat_dips = 2;
+        core.lessons.player[i].haste_tick = core.game.tick;
+        core.lessons.player[i].hints.learned = 1u << HINT_MOVE;
+        core.lessons.player[i].hints.moved_m = 0.5f;
+        core.lessons.player[i].ghost.state = GHOST_IS_OVER;
+    }
+}
+
+static void test_a_new_game_resets_the_lesson_but_not_the_ghost(void **state)
+{
+    (void)state;
+    core.world.poi[1].link = POI_SOURCE_LIVE;
+    play_with_faults();
+    lesson_after(20, 0);
+    assert_int_equal(core.lessons.player[0].flat_dips, 2);
+    core.game.phase = PHASE_READY;
+    core.game.phase_tick = core.game.tick;
+    lesson_after(1, 0);
+    expect_a_new_lesson(0);
+    expect_a_new_lesson(1);
+}
+
+static void test_a_player_who_leaves_takes_the_lesson_along(void **state)
+{
+    (void)state;
+    core.world.poi[1].link = POI_SOURCE_LIVE;
+    play_with_faults();
+    lesson_after(20, 0);
+    core.world.poi[1].link = POI_SOURCE_ABSENT;
+    lesson_after(1, 0);
+    expect_a_new_lesson(1);
+    assert_int_equal(core.lessons.player[0].flat_dips, 2);
+}
+
+static void test_only_a_player_who_may_dip_makes_faults(void **state)
+{
+    (void)state;
+    core.game.phase = PHASE_READY;
+    core.world.poi[0].splash_m_s = 0.4f;
+    lesson_after(5, 0);
+    assert_int_equal(core.lessons.player[0].flat_dips, 0);
+    core.game.phase = PHASE_ROUND;
+    lesson_after(1, 0);
+    assert_int_equal(core.lessons.player[0].flat_dips, 1);
+}
+
 static void test_the_hint_to_tilt_follows_two_flat_dips(void **state)
 {
     (void)state;
@@ -426,6 +561,16 @@ static void test_useless_paper_is_named_at_once_in_every_mode(void **state)
     core.game.player[0].out = 1;
     core.game.player[0].torn_tick = core.game.tick;
     assert_int_equal(hint_after(13), HINT_TORN);
+    assert_int_equal(hint_after(620), HINT_NONE); /* The hint does not stay. */
+}
+
+static void test_a_bot_gets_no_hint_about_useless_paper(void **state)
+{
+    (void)state;
+    core.world.poi[0].link = POI_SOURCE_BOT;
+    core.game.player[0].out = 1;
+    core.game.player[0].torn_tick = core.game.tick;
+    assert_int_equal(hint_after(13), HINT_NONE);
 }
 
 static void test_a_championship_gives_no_advice(void **state)
@@ -483,14 +628,22 @@ int main(void)
         TEST(test_a_dip_in_ready_which_moves_no_poi_ends_the_ghost),
         TEST(test_only_the_first_round_after_attract_mode_has_a_ghost),
         TEST(test_a_championship_and_a_bot_have_no_ghost),
+        TEST(test_the_bots_dips_before_the_game_do_not_end_the_ghost),
+        TEST(test_the_ghost_of_a_player_without_a_controller_is_hidden),
         TEST(test_the_ghost_waits_during_a_pause_and_hides_the_ring),
         TEST(test_the_hints_to_move_and_to_dip_wait_for_four_seconds),
         TEST(test_the_hint_to_glide_follows_two_dips_without_a_catch_and_ends),
         TEST(test_the_hint_to_lift_needs_a_long_dip_and_a_fish_over_the_paper),
         TEST(test_the_hint_about_the_bowl_follows_a_fish_that_stays_on_the_paper),
         TEST(test_the_hint_about_haste_follows_motion_that_tears),
+        TEST(test_the_hint_about_haste_appears_whenever_its_fault_occurs),
+        TEST(test_damage_alone_is_no_haste),
+        TEST(test_a_new_game_resets_the_lesson_but_not_the_ghost),
+        TEST(test_a_player_who_leaves_takes_the_lesson_along),
+        TEST(test_only_a_player_who_may_dip_makes_faults),
         TEST(test_the_hint_to_tilt_follows_two_flat_dips),
         TEST(test_useless_paper_is_named_at_once_in_every_mode),
+        TEST(test_a_bot_gets_no_hint_about_useless_paper),
         TEST(test_a_championship_gives_no_advice),
         TEST(test_each_player_has_an_own_hint),
         TEST(test_hints_of_the_whole_screen_are_not_beside_the_poi),

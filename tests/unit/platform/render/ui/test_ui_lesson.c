@@ -210,6 +210,24 @@ static void test_the_hint_does_not_cover_its_ring(void **state)
     }
 }
 
+static void test_the_word_for_a_near_miss_replaces_the_hint(void **state)
+{
+    (void)state;
+    uint32_t quads[2];
+    set_round(1);
+    scene.player[0].miss_s = 0.5f;
+    for (uint32_t i = 0; i < 2u; i++) {
+        scene.lesson[0] =
+            (struct scene_lesson){ .hint = i == 0 ? HINT_NONE : HINT_GLIDE, .hint_s = 5.0f };
+        lay_out(sizes[0]);
+        quads[i] = batch.quad_count;
+    }
+    assert_int_equal(quads[0], quads[1]);
+    scene.player[0].miss_s = 5.0f;
+    lay_out(sizes[0]);
+    assert_true(batch.quad_count > quads[0]);
+}
+
 static void test_the_hints_of_several_players_have_pictures_and_numbers_only(void **state)
 {
     (void)state;
@@ -233,6 +251,7 @@ int main(void)
         cmocka_unit_test(test_the_ghost_is_drawn_where_its_ring_is),
         cmocka_unit_test(test_the_hint_of_a_single_player_has_words_inside_the_screen),
         cmocka_unit_test(test_the_hint_does_not_cover_its_ring),
+        cmocka_unit_test(test_the_word_for_a_near_miss_replaces_the_hint),
         cmocka_unit_test(test_the_hints_of_several_players_have_pictures_and_numbers_only),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
