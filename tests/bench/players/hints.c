@@ -47,10 +47,10 @@ static void *work(void *self)
 {
     struct school *school = self;
     const uint32_t count = 2u * school->pupil_count * school->seeds;
-    struct round_seat *seat = malloc(sizeof *seat);
+    struct round_worker *worker = malloc(sizeof *worker);
     cpu_set_float();
     pthread_mutex_lock(&school->lock);
-    school->failed |= seat == NULL;
+    school->failed |= worker == NULL;
     while (!school->failed && school->next < count) {
         const uint32_t index = school->next++, pupil = index / (2u * school->seeds);
         const struct habits *habits =
@@ -59,14 +59,14 @@ static void *work(void *self)
             continue;
         }
         pthread_mutex_unlock(&school->lock);
-        const bool is_played = round_play(seat, habits, school->level, index / 2u % school->seeds,
+        const bool is_played = round_play(worker, habits, school->level, index / 2u % school->seeds,
                                           &school->rounds[index]);
         pthread_mutex_lock(&school->lock);
         school->failed |= !is_played;
         progress_add(&school->progress);
     }
     pthread_mutex_unlock(&school->lock);
-    free(seat);
+    free(worker);
     return NULL;
 }
 
