@@ -146,16 +146,17 @@ static int open_regular(const char *path, int flags, int mode)
     }
     /* Databases, logs and copies contain the hash of the operator's PIN and the income of the
      * kiosk. Therefore only the owner may read a new file. A file with access for all users is from
-     * an older version of Kingyo and becomes private too. Any other mode is the operator's choice
-     * and stays. */
+     * an older version of Kingyo and becomes private too, except for a group with write access,
+     * which only the operator can have given. Any other mode is the operator's choice and stays. */
     const mode_t private = mode == SQLITE_NEW_FILE ? S_IRUSR | S_IWUSR : (mode_t)mode & 0770;
     const int handle = file_handle(path, flags, private);
-    if (handle >= 0 && fstat(handle, &about) == 0) {
-        /* fchmod() fails for users other than the owner. The error is ignored. */
-        if ((about.st_mode & 0007) != 0 && (flags & O_ACCMODE) == O_RDWR &&
-            fchmod(handle, S_IRUSR | S_IWUSR) == 0) {
-            log_print(LOG_LEVEL_WARNING, "%s: all users had access; its mode is 0600 now", path);
-        }
+    /* fchmod() fails for users other than the owner. The error is ignored. */
+    if (handle >= 0 && (flags & O_ACCMODE) == O_RDWR && fstat(handle, &about) == 0 &&
+        (about.st_mode & 0007) != 0 &&
+        fchmod(handle, about.st_mode & S_IWGRP ? about.st_mode & 0770 : 0600) == 0 &&
+        fstat(handle, &about) == 0) {
+        log_print(LOG_LEVEL_WARNING, "%s: all users had access; its mode is %04o now", path,
+                  (unsigned)about.st_mode & 07777u);
     } else if (handle < 0 && errno == EISDIR && (flags & O_ACCMODE) == O_RDONLY) {
         return open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     }

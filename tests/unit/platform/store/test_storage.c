@@ -241,9 +241,11 @@ static void test_a_ranked_round_has_a_seal_while_its_replay_is_stored(void **sta
  * then, and that the log has `lines` lines. */
 static void assert_mode(struct fixture *fixture, mode_t before, mode_t after, int lines)
 {
-    char path[160], log[1024];
+    char path[160], log[1024], expected[80];
     struct stat about;
     path_beside(fixture, ".log", path);
+    snprintf(expected, sizeof expected, "kingyo.db: all users had access; its mode is %04o now",
+             (unsigned)after);
     assert_int_equal(chmod(fixture->file, before), 0);
     fflush(stderr);
     const int saved = dup(STDERR_FILENO);
@@ -257,7 +259,7 @@ static void assert_mode(struct fixture *fixture, mode_t before, mode_t after, in
     assert_non_null(file);
     int count = 0;
     while (fgets(log, sizeof log, file)) {
-        assert_non_null(strstr(log, "kingyo.db: all users had access; its mode is 0600 now"));
+        assert_non_null(strstr(log, expected));
         count++;
     }
     fclose(file);
@@ -267,12 +269,13 @@ static void assert_mode(struct fixture *fixture, mode_t before, mode_t after, in
 }
 
 /* Older versions created the database with mode 0644. A mode without access for all users is the
- * operator's choice. */
+ * operator's choice, and so is write access for the group. */
 static void test_a_database_with_access_for_all_users_becomes_private(void **state)
 {
     struct fixture *fixture = *state;
     fill_and_close(fixture);
     assert_mode(fixture, 0644, 0600, 1);
+    assert_mode(fixture, 0664, 0660, 1);
     assert_mode(fixture, 0600, 0600, 0);
     assert_mode(fixture, 0640, 0640, 0);
     assert_mode(fixture, 0660, 0660, 0);
