@@ -128,7 +128,7 @@ check 'a duplicate key is reported with its first line' bad_bot ':2: wet is in l
 check 'a base after other keys is refused' bad_bot ':2: base comes before' 'wet=1\nbase=novice\n'
 check 'a line without a value is refused' bad_bot ":1: 'wet' has no '='" 'wet\n'
 check 'an empty bot file is refused' bad_bot ': has no key' ''
-check 'a binary bot file is refused' bad_bot ':1: the line has more than 1' '\0\01\02'
+check 'a binary bot file is refused' bad_bot ':1: the line has more than 199 characters or contains a zero byte' '\0\01\02'
 check 'an unknown mode is wrong usage' mistake 2 "--mode: 'lab'" --mode lab
 check 'an unknown grade is wrong usage' mistake 2 '--grade' --grade 3
 check '--rounds 0 is wrong usage' mistake 2 '--rounds' --rounds 0

@@ -298,15 +298,15 @@ int bot_file_parse(const char *text, size_t size, struct technique *out,
 {
     struct parser parser = { .technique = technique_expert, .problem = problem };
     FILE *file = fmemopen((void *)text, size, "r");
-    const bool good = file && parse_lines(&parser, file) && check_whole(&parser);
+    const bool good = file ? parse_lines(&parser, file) && check_whole(&parser)
+                           : bot_file_error(&parser, "cannot be read");
     if (file) {
         fclose(file);
     }
-    if (!good) {
-        return -1;
+    if (good) {
+        *out = parser.technique;
     }
-    *out = parser.technique;
-    return 0;
+    return good ? 0 : -1;
 }
 
 enum exit_code bot_file_read(const char *speaker, const char *bot, struct technique *out)
