@@ -223,7 +223,7 @@ enum exit_code run_interactive_run(struct run_common *session)
         }
     }
     if (text[0]) {
-        printf("  %-9s no controller for player %s\n", "seats", text);
+        printf("  %-9s no controller for player %s\n", "players", text);
     }
     run_common_print_library(session);
     fflush(stdout);

@@ -38,7 +38,7 @@ enum {
     HAS_COINS = 1u << 2,
     HAS_MACHINE = 1u << 3,
     HAS_HANDS = 1u << 4,
-    HAS_DESK = 1u << 5,
+    HAS_CONTROLLERS = 1u << 5,
     HAS_ALL = 63u,
 };
 
@@ -73,7 +73,7 @@ enum {
 _Static_assert(CONTROLLERS_BYTES == REPLAY_CONTROLLERS_BYTES && CONTROLLERS_BYTES <= 16,
                "each has its bit in a u16");
 _Static_assert(sizeof(struct controller_status) == CONTROLLERS_BYTES,
-               "the desk's bytes are all of it");
+               "the group has every byte of the struct");
 _Static_assert(offsetof(struct controller_status, learn_step) == CONTROLLERS_STEP &&
                    offsetof(struct controller_status, learn_row) == CONTROLLERS_ROW,
                "the bytes have the order of the struct");
@@ -213,8 +213,8 @@ static bool walk_machine(struct replay_serializer *walk, const struct input *bef
     return group_end(&group, 0xffu);
 }
 
-static bool walk_desk(struct replay_serializer *walk, const struct input *before,
-                      struct input *input)
+static bool walk_controllers(struct replay_serializer *walk, const struct input *before,
+                             struct input *input)
 {
     /* struct controller_status consists of bytes only. Byte i of the struct has bit i in the mask
      * of the group. */
@@ -341,7 +341,7 @@ static void walk_input(struct replay_serializer *walk, const struct input *befor
                           struct input *input);
     } parts[] = {
         { HAS_MACHINE, walk_machine },
-        { HAS_DESK, walk_desk },
+        { HAS_CONTROLLERS, walk_controllers },
         { HAS_HANDS, walk_poses },
     };
     struct group group = group_begin(walk, false);

@@ -213,24 +213,24 @@ static void test_a_new_controller_takes_three_bytes_besides_the_mask(void **stat
 static void test_an_invalid_controller_list_encoding_is_rejected(void **state)
 {
     (void)state;
-    enum { DESK = 1 << 5, STEP = 1, ROW = 2, BEYOND = 16 };
+    enum { CONTROLLERS = 1 << 5, STEP = 1, ROW = 2, BEYOND = 16 };
     const uint8_t refused[][4] = {
-        { DESK, 0, 0, 0 }, /* Invalid: the mask names the controller list, but the mask of its
-                              fields is empty. */
+        /* Invalid: the mask names the controller list, but the mask of its fields is empty. */
+        { CONTROLLERS, 0, 0, 0 },
         /* Invalid: CONTROLLER_STATE_COUNT is one more than the last state of a controller. */
-        { DESK, 1, 0, CONTROLLER_STATE_COUNT },
-        { DESK, 0, STEP, LEARN_STEP_COUNT }, /* Invalid: LEARN_STEP_COUNT is one more than the last
-                                                step of the learning. */
-        { DESK, 0, ROW, CONTROLLER_MAX },    /* Invalid: CONTROLLER_MAX is one more than the last
-                                                row. */
-        { DESK, 0, BEYOND, 1 },              /* Invalid: the controller list has no field for this
-                                                bit. */
+        { CONTROLLERS, 1, 0, CONTROLLER_STATE_COUNT },
+        /* Invalid: LEARN_STEP_COUNT is one more than the last step of the learning. */
+        { CONTROLLERS, 0, STEP, LEARN_STEP_COUNT },
+        /* Invalid: CONTROLLER_MAX is one more than the last row. */
+        { CONTROLLERS, 0, ROW, CONTROLLER_MAX },
+        /* Invalid: the controller list has no field for this bit. */
+        { CONTROLLERS, 0, BEYOND, 1 },
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };
         assert_int_equal(replay_decode_input(&input, refused[i], 4, false), 0);
     }
-    const uint8_t good[4] = { DESK, 0, ROW, CONTROLLER_MAX - 1 };
+    const uint8_t good[4] = { CONTROLLERS, 0, ROW, CONTROLLER_MAX - 1 };
     struct input input = { 0 };
     assert_int_equal(replay_decode_input(&input, good, 4, false), 4);
     assert_int_equal(input.controllers.learn_row, CONTROLLER_MAX - 1);
