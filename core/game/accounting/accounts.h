@@ -155,9 +155,9 @@ bool ledger_is_flushed(const struct ledger *ledger);
  * responds, and has room. */
 bool ledger_is_safe(const struct ledger *ledger);
 
-/* Returns true if a new entry is necessary to save the current balance: it differs from the balance
- * on disk, and no waiting entry contains it. The difference arises when a store becomes available
- * after the start, or had no room when the balance changed. */
+/* Returns true if a new entry is necessary to save the current balance. The current balance then
+ * differs from the balance on disk, and no waiting entry contains it. The difference arises when a
+ * store becomes available after the start, or had no room when the balance changed. */
 bool ledger_needs_sync(const struct ledger *ledger);
 
 /* Numbers of paid credits and of service credits that are on disk and not spent. Only these credits

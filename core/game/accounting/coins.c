@@ -240,8 +240,8 @@ void coins_tick(struct accounts *accounts, const struct game *game, const struct
     const bool runs =
         game->phase == PHASE_READY || game->phase == PHASE_ROUND || game->phase == PHASE_LAB;
     if (accounts->ledger.balance.open != PAYMENT_NONE && !runs) {
-        /* The game ended without a result. It was a visit to the growth lab, or a round that no
-         * player joined. */
+        /* The game ended without a result: a visit to the growth lab, or a round that no player
+         * joined. */
         const struct ledger_entry left = { .kind = LEDGER_LEFT };
         accounts->ledger.balance.open = PAYMENT_NONE;
         ledger_write(accounts, game->tick, &left, output);

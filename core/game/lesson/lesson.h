@@ -8,8 +8,8 @@
  * - An arrow points to the player's bowl while a fish lies on the paper.
  * - A hint beside the poi names the next step, but only after the fault that the hint cures.
  *
- * Each player sees one aid at a time, at the own poi. The championship has no lessons except two
- * hints, which report an event: the paper is useless, or fish were poured into the bowl.
+ * Each player sees one aid at a time, near the player's own poi. The championship has no lessons
+ * except two hints, which report an event: the paper is useless, or fish were poured into the bowl.
  *
  * The lessons are used for display only: the simulation never reads them, and no hash contains
  * them. They depend only on the state of the game and of the world, so a replay shows the same

@@ -223,8 +223,9 @@ static bool uses_motion(const struct menu *menu)
 
 /* Moves the highlight when a pointer enters an item. While the pointer is at rest, even after a
  * page change, the buttons move the highlight. If several controllers are connected, the pointer of
- * the controller that moved last counts. Its slot need not have a bowl, because the operator may
- * test a controller that was never used in a game. Returns true if the pointer closes the menu. */
+ * the controller that moved last counts. The slot of this controller may have no bowl, because the
+ * operator may test a controller that was never used in a game. Returns true if the pointer closes
+ * the menu. */
 static bool point_at_tag_by_hand(const struct menu_scope *scope, const struct world *world,
                                  const struct input *input)
 {
