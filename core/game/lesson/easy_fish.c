@@ -7,21 +7,24 @@
 #define CALM_M_S 0.05f
 /* Largest depth of the middle of an easy fish. A dipped ring is about 5 cm below the surface. */
 #define NEAR_SURFACE_M 0.035f
-/* Factor by which a marked fish may exceed both limits, so that the mark does not flicker. */
+/* Factor by which a marked fish may exceed CALM_M_S and NEAR_SURFACE_M, so that its mark does not
+ * flicker. */
 #define MARKED_GAIN 1.4f
 /* Smallest distances from the fish to a wall and to the rim of a bowl, at which a ring still fits
  * beside the fish. */
 #define WALL_ROOM_M 0.06f
 #define BOWL_ROOM_M 0.05f
 
-/* The cost of a fish is a distance: the way from the ring to the fish, plus the depth, the length
- * and the speed of the fish with these weights. */
+/* Weights of the cost of a fish; the fish with the lowest cost is the easiest. The cost in metres
+ * is the distance from the ring to the fish, plus the depth, length and speed of the fish, each
+ * multiplied by its weight. */
 #define COST_DEPTH 8.0f
 #define COST_LENGTH 3.0f
 #define COST_SPEED_S 2.0f
 
-/* Part of the ring's radius within which a fish counts as over the paper, and the range of the
- * fish's height above the ring. */
+/* A fish counts as over the paper if its horizontal distance from the ring's centre is below
+ * OVER_SHARE of the ring's radius, and its height above the ring is between OVER_MIN_M and
+ * OVER_MAX_M. */
 #define OVER_SHARE 0.6f
 #define OVER_MIN_M 0.003f
 #define OVER_MAX_M 0.045f

@@ -1,18 +1,19 @@
-/* ghost.c -- the ghost: a poi that shows dip, glide, lift and bowl at a real fish. */
+/* ghost.c -- moves the ghost: a translucent poi that demonstrates at a real fish how to dip, glide,
+ * lift and empty a poi. */
 #include "core/base/panic.h"
 #include "core/game/lesson/lesson.h"
 #include "core/game/rules.h"
 
 /* Largest speed at which the ghost follows its fish. A fish that flees leaves the ghost behind. */
 #define FOLLOW_M_S 0.15f
-#define FADE_S 0.35f /* Time in which the ghost appears, and disappears at its end. */
+#define FADE_S 0.35f /* Duration of the fade-in and of the fade-out of the ghost. */
 
-/* A point of the ghost's path. The place is a share of the way from the fish to the bowl, plus a
- * distance from the fish in the same direction. */
+/* A point of the ghost's path. The horizontal position of the point lies on the line from the fish
+ * to the bowl, at `share` of the line's length plus `beside_m`. */
 struct waypoint {
     float time_s;
-    float share;     /* 0 is the fish, 1 is the bowl. */
-    float beside_m;  /* Distance from the fish toward the bowl. */
+    float share;     /* 0 at the fish, 1 at the bowl. */
+    float beside_m;  /* Additional distance toward the bowl. */
     float height_m;  /* Height above the water if `is_under` is false, otherwise above the fish. */
     float pitch_rad; /* Tilt of the ring. A negative value lowers the far edge. */
     bool is_under;
@@ -46,8 +47,9 @@ void lesson_ghost_tick(struct lessons *lessons, const struct game *game, const s
     const struct poi *poi = &world->poi[player];
     const float y_m = game->control[player].live_y_m;
     CORE_ASSERT(player < POI_MAX && ghost->state <= GHOST_IS_OVER);
-    /* In READY the game lifts the poi, whose dips were made by the bot. Before the round, only the
-     * pose of the controller shows a dip of the player. */
+    /* Before the round, the dips of the poi were made by the bot, and in READY the game holds the
+     * poi above the water. A dip of the player is therefore detected by the pose of the
+     * controller. */
     const bool dips = (game->phase == PHASE_ROUND && (poi->immersed > 0.0f || poi->dips > 0)) ||
                       (ghost->live_y_m >= RULES_DIP_Y_M && y_m < RULES_DIP_Y_M && y_m > -1.0f);
     ghost->live_y_m = y_m;

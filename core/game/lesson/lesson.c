@@ -4,13 +4,13 @@
 #include "core/base/panic.h"
 #include "core/game/phases.h"
 
-/* Ticks between two choices of the marked fish and of the hint: ten choices per second. */
+/* Ticks between two selections of the marked fish and of the hint: ten selections per second. */
 #define LOOK_TICKS 12u
 /* Time after which a marked fish that was not caught may be replaced by an easier one, unless the
  * ring is in the water. */
 #define MARK_TICKS (3u * CORE_TICK_HZ)
-/* Longest time for which a hint is shown. A hint whose fault lasts is shown again after the same
- * time. */
+/* Longest time for which a hint is shown. If the player's fault persists, the hint is hidden for
+ * the same time and then shown again. */
 #define HINT_TICKS_MAX (5u * CORE_TICK_HZ)
 /* A dip is flat if the ring enters the water at this speed or faster, with a smaller pitch. The
  * water then pushes on the whole paper at once. */
@@ -106,18 +106,20 @@ static bool is_fault(const struct lesson *lesson, const struct game *game,
                lesson_fish_is_over(world, &world->poi[player]);
     case HINT_TILT:
         return lesson->flat_dips >= FLAT_DIPS;
-    case HINT_CLEAR_RIM: /* At the festival every fish in the bowl counts. */
+    /* Show this hint in modes with fouls, and in the festival (the mode that keeps no score). */
+    case HINT_CLEAR_RIM:
         return rules_of(game->mode)->counts_fouls || !rules_of(game->mode)->keeps_score;
     case HINT_LOST_POI:
     case HINT_NO_SHADE:
-        return false; /* These hints concern the whole screen. */
+        return false; /* These hints concern all players, so lesson_screen_hint() returns them. */
     default:
         return game->phase == PHASE_ROUND;
     }
 }
 
-/* Returns the hint that fits the situation. The faults of haste and of flat dips are detected here
- * earlier than in hints.c, where paper must tear and a fish must be caught before. */
+/* Returns the hint that fits the situation. This function detects haste and flat dips earlier than
+ * hints.c, which detects haste only by torn paper, and shows HINT_TILT only after the first
+ * catch. */
 static uint8_t wanted_hint(const struct lesson *lesson, const struct game *game,
                            const struct world *world)
 {
@@ -162,7 +164,7 @@ static void observe_faults(struct lesson *lesson, const struct poi *poi, uint32_
     if (poi->splash_m_s >= FLAT_M_S && pitch_rad < FLAT_RAD && lesson->flat_dips < UINT8_MAX) {
         lesson->flat_dips++;
     } else if (poi->splash_m_s > 0.0f && pitch_rad >= FLAT_RAD) {
-        lesson->flat_dips = 0; /* The player has followed the hint. */
+        lesson->flat_dips = 0; /* The player has tilted the poi, as the hint demands. */
     }
     const bool is_loaded =
         poi->immersed > 0.0f &&

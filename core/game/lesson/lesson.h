@@ -35,7 +35,8 @@ struct ghost {
     uint8_t state;  /* State of the ghost (enum ghost_state). */
     uint16_t fish;  /* Index of the fish at which the ghost shows the technique. */
     uint32_t ticks; /* Ticks since the ghost began, without pauses of the round. */
-    vec3 fish_m;    /* Position of the fish, which the ghost follows until it is under the fish. */
+    /* Position of the fish. The position is updated until the ghost is under the fish. */
+    vec3 fish_m;
     /* Height of the pose of the player's controller in the last tick, to detect a dip in READY. */
     float live_y_m;
 };
@@ -44,9 +45,11 @@ struct ghost {
 struct lesson {
     uint16_t fish;      /* Index of the marked fish, or LESSON_NO_FISH. */
     uint32_t fish_tick; /* Tick at which this fish was marked. */
-    /* Hint that fits the player's situation, and the tick since which the hint fits. */
+    /* State of the rules in hints.c for this player. `hints.shown` is the hint that fits the
+     * player's situation. */
     struct hints hints;
-    uint8_t wanted;       /* Hint that fits, or that a fault found by lesson.c has replaced. */
+    /* Hint that should be shown: `hints.shown`, or the hint for a fault that lesson.c detected. */
+    uint8_t wanted;
     uint32_t wanted_tick; /* Tick since which `wanted` has its value. */
     uint8_t hint;         /* Shown hint (enum scene_hint). */
     uint32_t hint_tick;   /* Tick at which the shown hint appeared. */
@@ -73,8 +76,9 @@ void lesson_tick(struct lessons *lessons, const struct game *game, const struct 
 void lesson_show(const struct lessons *lessons, const struct game *game, const struct world *world,
                  uint32_t player, struct scene_lesson *out);
 
-/* Returns the hint of the whole screen (enum scene_hint). In READY and in the round, the hints of a
- * poi are not hints of the whole screen. */
+/* Returns the hint for the whole screen (enum scene_hint). In READY and in the round, only
+ * HINT_LOST_POI and HINT_NO_SHADE are for the whole screen, because the other hints are shown
+ * beside a poi. */
 uint8_t lesson_screen_hint(const struct game *game);
 
 /* ---- Ghost ----------------------------------------------------------------------------------- */
@@ -95,7 +99,7 @@ bool lesson_is_easy(const struct fish *fish, const struct world *world, uint32_t
                     bool is_marked);
 
 /* Returns the index of the fish that is the easiest to catch for `player`, or LESSON_NO_FISH if no
- * fish is easy. Fish of the lessons of other players are skipped. */
+ * fish is easy. Skips the fish that the lessons of other players use. */
 uint16_t lesson_easiest_fish(const struct lessons *lessons, const struct world *world,
                              uint32_t player);
 

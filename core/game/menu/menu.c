@@ -60,7 +60,9 @@ static void open_menu(struct game *game, struct world *world, const struct core_
         .controllers = input->controllers,
         .upright = input->upright != 0,
         .hides_level = !config_has_rules(config, 9),
-        .presses = 1, /* A poi that is already under water when the menu opens selects no item. */
+        /* Treat each poi as already dipped, so that a poi that is under water when the menu opens
+         * selects no item. */
+        .presses = 1,
         .command_count = menu->command_count,
         .take_tick = game->tick,
         .act_tick = game->tick,
@@ -161,8 +163,8 @@ static void point_on(struct menu *menu, bool forward, struct output *output)
     point_at_tag(menu, tag, output);
 }
 
-/* Runs the action of the highlighted item, unless another item was selected just before. Returns
- * true if the action closes the menu. */
+/* Runs the action of the highlighted item, unless an item was selected less than MENU_TAKE_TICKS
+ * ago. Returns true if the action closes the menu. */
 static bool activate_pointed_tag(const struct menu_scope *scope)
 {
     CORE_ASSERT(scope->game->phase == PHASE_MENU);
@@ -325,8 +327,9 @@ static void watch_input_test(struct menu *menu, const struct game *game,
 }
 
 /* Runs one tick of the menu. On a settings page, a change repeats while the selecting button is
- * held or the selecting poi is still under water over the item. The menu closes if no activity
- * occurred for the timeout, or if only motion occurred for MENU_SWING_SPANS timeouts. */
+ * held or the selecting poi is still under water over the item. The menu closes after an idle
+ * timeout (MENU_IDLE_TICKS, or MENU_PIN_IDLE_TICKS on the PIN page) without activity. If a poi
+ * moves but nothing is pressed or selected, the menu closes after MENU_SWING_SPANS timeouts. */
 void menu_tick(struct game *game, struct world *world, struct core_config *config,
                const struct input *input, struct output *output)
 {

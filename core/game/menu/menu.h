@@ -57,8 +57,8 @@ bool menu_opens(struct game *game, struct world *world, const struct core_config
 void menu_tick(struct game *game, struct world *world, struct core_config *config,
                const struct input *input, struct output *output);
 
-/* Returns true while the menu asks for confirmation to end the round. A second TEST press in this
- * tick would then end the round. */
+/* Returns true while the menu asks for confirmation to end the round. While this function returns
+ * true, a second TEST press ends the round. */
 bool menu_is_asking(const struct game *game);
 
 /* Returns true while the operator tests the input lines in the menu. During the test the coin slot

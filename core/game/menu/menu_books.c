@@ -37,7 +37,8 @@ void menu_reset_activate(const struct menu_scope *scope, uint32_t tag)
     }
 }
 
-/* Number of leaderboards: each board has one for the day, one for the week and one for ever. */
+/* Number of leaderboards. Each board (a mode at one level) has three leaderboards: one for the day,
+ * one for the week and one for all time. */
 #define BOARD_COUNT (RANK_BOARD_COUNT * RANK_PERIOD_COUNT)
 
 static const struct rank_row *rows_of(const struct ranking *ranking, const struct menu *menu)

@@ -63,15 +63,17 @@ const struct menu_page_desc *menu_page_desc_of(uint8_t page);
 
 /* menu_body_count() returns the number of items in the page's body. menu_tag_count() returns the
  * number of all items of the page. If `hides_level` is true, these functions and the functions
- * below leave out the row of the level, which recordings older than format 9 lack. */
+ * below omit the row of SET_LEVEL, because recordings older than format 9 were made without this
+ * row. */
 uint32_t menu_body_count(uint8_t page, bool hides_level);
 uint32_t menu_tag_count(uint8_t page, bool hides_level);
 
 /* Returns the page that item `tag` in the body opens; MENU_PAGE_COUNT means none. */
 uint8_t menu_page_at(uint8_t page, bool hides_level, uint32_t tag);
 
-/* Returns the setting that row `tag` of `page` changes, or whose bits the page that the row opens
- * changes. SETTING_COUNT means none. */
+/* Returns the setting (enum setting_id) of row `tag` of `page`: the setting that the row changes,
+ * or the setting of the page that the row opens. Returns SETTING_COUNT if the row has no
+ * setting. */
 uint32_t menu_setting_at(uint8_t page, bool hides_level, uint32_t tag);
 
 /* Returns a bit mask of the items of the open page that can be selected. */
@@ -82,7 +84,7 @@ uint16_t menu_enabled(const struct menu *menu);
 void menu_turn(struct menu *menu, const struct game *game, const struct settings *settings,
                enum menu_page page);
 
-/* Opens a page as menu_turn() does, for an action of the open page. */
+/* Opens a page as menu_turn() does. The actions of the menu's pages call this function. */
 void menu_go(const struct menu_scope *scope, enum menu_page page);
 
 /* Runs the action of the highlighted item. The last item opens the parent page. Returns true if the

@@ -87,8 +87,8 @@ static struct layout_box grid_box(const struct measures *m, uint32_t nth, uint32
 }
 
 /* Returns the box of the item `tag` on the canvas. Items at the foot of a page lie in one row and
- * share its width equally. Large items lie in as few rows as possible. With many rows each row is
- * lower than normal. */
+ * have equal widths. Large items lie in as few rows as possible. If there are many rows, the height
+ * of each row is reduced. */
 struct layout_box menu_box(bool upright, uint8_t page, bool hides_level, uint16_t offered,
                            uint32_t tag)
 {

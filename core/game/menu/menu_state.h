@@ -70,9 +70,9 @@ struct calibrate {
 /* Free disk space in MiB below which the check SELF_ROOM is bad. Less space is too little for the
  * entries of one evening and their backup. */
 #define SELF_ROOM_BAD_MIB 8u
-/* Difference in degrees Celsius from the throttling temperature of the processor. If the processor
- * is hotter than that, the check SELF_HEAT needs attention. A hot afternoon can raise the
- * temperature by this difference. */
+/* Margin in degrees Celsius below the temperature at which the processor throttles. The check
+ * SELF_HEAT needs attention if the temperature is within this margin, because a hot afternoon can
+ * raise the temperature by as much. */
 #define SELF_HEAT_NEAR_C 10
 
 /* Checks of the self-test: first the checks of the machine, then the checks of the parts that a
@@ -118,15 +118,15 @@ struct self_test {
     vec3 first_m[POI_MAX];      /* Position at which each poi was first seen. */
     uint8_t knows_first;        /* Bit mask of the slots with a valid `first_m`. */
     uint32_t begin_tick;
-    /* Id of the entry written for the test; 0 means that the ledger had no room. */
+    /* Id of the ledger entry that the self-test wrote; 0 means that the ledger had no room. */
     uint32_t entry_id;
 };
 
 /* Largest number of items on a page: twelve in its body and four at its foot. */
 #define MENU_TAG_MAX 16u
-/* Time after a TEST press during a round in which a second TEST press ends the round. */
+/* Time limit for the second TEST press that ends a round, counted from the first press. */
 #define MENU_ASK_TICKS (5u * CORE_TICK_HZ)
-/* Time after a selection in which a second selection is ignored. */
+/* Time after a selection during which further selections are ignored. */
 #define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)
 /* Time without activity after which an open menu closes. */
 #define MENU_IDLE_TICKS (300u * CORE_TICK_HZ)
@@ -218,8 +218,7 @@ struct menu {
     uint8_t page; /* Open page (enum menu_page). */
     /* On a settings page: the row that was changed last; MENU_TAG_MAX means none. */
     uint8_t chosen;
-    /* 1 if selecting an item on a settings page lowers its value, 0 if selecting raises the
-     * value. */
+    /* 1 if the selection of a setting lowers its value; 0 if the selection raises its value. */
     uint8_t turns_down;
     /* 1 while the button or poi that selected a setting is still pressed, so the value keeps
      * changing; otherwise 0. */
@@ -235,7 +234,7 @@ struct menu {
     uint8_t row;         /* Row of the selected controller in the list of controllers. */
     uint8_t upright;     /* 1 if the last input reported a portrait screen, otherwise 0. */
     uint8_t hides_level; /* 1 if the menu has no row for the level, otherwise 0. */
-    uint8_t file_first;  /* First row that the file page shows. */
+    uint8_t file_first;  /* Index of the first file that the file page shows. */
     /* Selected leaderboard: the number of the board (ranking_board()) * RANK_PERIOD_COUNT + the
      * period's number. */
     uint8_t board;
@@ -247,7 +246,7 @@ struct menu {
     uint8_t has_hand, hand, presses;
     /* Item under the pointer, counted from 1. 0 means no item. */
     uint8_t points;
-    uint8_t tag[MENU_PAGE_COUNT];         /* Number of the highlighted item of each page. */
+    uint8_t tag[MENU_PAGE_COUNT];         /* Index of the highlighted item of each page. */
     struct controller_status controllers; /* State of the controllers, from the last input. */
     /* Presses of each button since the menu was opened. */
     uint16_t pressed_count[INPUT_BUTTON_COUNT];

@@ -148,7 +148,8 @@ void menu_pin_activate(const struct menu_scope *scope, uint32_t tag)
 }
 
 /* Sets a new PIN when its last digit has been typed. The PIN 0000 means that no PIN is required.
- * Recordings of the older format 7 stored plain digits. */
+ * The setting contains a salted hash of the PIN, but plain digits while a recording of format 7 or
+ * older is replayed. */
 void menu_new_pin_activate(const struct menu_scope *scope, uint32_t tag)
 {
     const struct core_config *config = scope->config;

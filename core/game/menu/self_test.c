@@ -50,8 +50,8 @@ static bool self_test_is_open(const struct game *game)
     return game->phase == PHASE_MENU && game->menu.page == MENU_SELF_TEST;
 }
 
-/* Runs the checks of the self-test. In its second tick, the self-test logs the present volume
- * setting as a test entry. A program that reads the ledger sees no changed setting. */
+/* Runs the checks of the self-test. In its second tick, the self-test logs the unchanged volume
+ * setting as a test entry, so that programs that read the ledger see no changed setting. */
 void self_test_tick(const struct menu_scope *scope, const struct input *input)
 {
     const struct game *game = scope->game;

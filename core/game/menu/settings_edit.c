@@ -15,7 +15,7 @@ void settings_edit_init(struct settings_edit *settings_edit, const struct core_c
     const uint32_t wrong = config->persistent.audits.count[AUDIT_WRONG_PINS];
     *settings_edit = (struct settings_edit){
         .told = config->persistent.settings,
-        /* The database does not contain when wrong PINs were entered, so the lockout time starts at
+        /* The database does not record when wrong PINs were entered, so the lockout time starts at
          * the kiosk's start. */
         .pin_wrong = wrong < UINT8_MAX ? wrong : UINT8_MAX,
     };
