@@ -16,9 +16,9 @@
 /* Stack on which SDL's audio thread handles a fatal signal. SDL starts one thread at a time. */
 static uint8_t signal_stack[PANIC_STACK_SIZE];
 
-/* Renders one buffer of samples. SDL calls this function on its audio thread, which SDL starts
- * without a signal stack. The first call on a thread therefore installs one. The address sanitizer
- * has installed its own, which must stay. */
+/* Renders one buffer of samples. SDL calls this function on its audio thread. SDL starts the thread
+ * without a signal stack, therefore the first call on a thread installs `signal_stack`. If the
+ * address sanitizer has already installed a signal stack, that stack is kept. */
 static void render(void *context, Uint8 *bytes, int size)
 {
     CORE_ASSERT(size >= 0);
@@ -102,8 +102,8 @@ static int audio_open(void *self)
     atomic_store(&audio->taken, atomic_load(&audio->pushed)); /* Discards the sounds that were
                                                                  queued for a lost card. */
     if (SDL_InitSubSystem(SDL_INIT_AUDIO) == 0) {
-        /* The call permits no format changes, so that SDL converts the samples to the card's
-         * format. */
+        /* The last argument 0 permits no change of the format `wanted`. SDL then converts the
+         * samples to the format of the sound card. */
         audio->device = SDL_OpenAudioDevice(NULL, 0, &wanted, NULL, 0);
         if (!audio->device) {
             SDL_QuitSubSystem(SDL_INIT_AUDIO);

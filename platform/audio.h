@@ -15,10 +15,11 @@
 
 /* Capacity of the ring buffer in sounds, four times OUTPUT_SOUND_MAX. */
 #define AUDIO_QUEUE_MAX 64u
-/* Interval in seconds between two searches for a device. The start of a sound server causes no
- * event, therefore a timer is needed. A search takes 5 ms. */
+/* Interval in seconds between two searches for an audio device. The start of a sound server changes
+ * no device file, therefore a timer is needed. A search takes 5 ms. */
 #define AUDIO_TRY_S 10u
-/* Samples per audio callback: 11 ms, which is less than one displayed frame. */
+/* Number of stereo samples per audio callback. The samples last 11 ms, which is less than one
+ * displayed frame. */
 #define AUDIO_FRAME_COUNT 512u
 
 /* State of the audio output. The caller owns the structure and initializes it to zero. Its address

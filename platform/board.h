@@ -18,19 +18,20 @@ enum board_poi {
 };
 
 enum board_keyboard {
-    /* The caller replaces AUTO by ON on a desktop and by OFF in a service, because a stranger may
-     * plug a keyboard into the kiosk. */
+    /* The caller replaces this value by ON on a desktop. If the program runs as a system service,
+     * the caller replaces it by OFF, because a stranger may plug a keyboard into the kiosk. */
     BOARD_KEYBOARD_AUTO = 0,
     BOARD_KEYBOARD_ON,
     BOARD_KEYBOARD_OFF, /* Ignores all keys. No key acts as a button, inserts a coin or quits. */
 };
 
-/* Maximum number of controllers that can be named, equal to the number of rows in struct
- * controller_status. */
+/* Maximum number of USB controllers that the options can name. It equals the number of rows in
+ * struct controller_status. */
 #define BOARD_USB_MAX 8u
 /* Size in bytes of "VVVV:PPPP:" and a serial number of 63 bytes, with the terminating zero. */
 #define BOARD_USB_SIZE 74u
-/* Maximum number of GPIO line options. Each role may be set once and overridden once. */
+/* Maximum number of GPIO line options. Each role of a line (for example "coin-counter") may be set
+ * once and overridden once. */
 #define BOARD_LINE_MAX 32u
 /* Size in bytes of a GPIO line option, for example
  * "coin-counter=LABEL:OFFSET,low,up,pulse=100ms/100ms", with a reserve. */
@@ -39,9 +40,11 @@ enum board_keyboard {
 struct library;
 
 struct board_options {
-    uint8_t poi; /* Controller that plays (enum board_poi). */
-    /* Adaptation of mouse and touch screen to the player (drivers/pointer/pointer_aid.h): true if
-     * one click dips and the next click lifts, and the reach in per cent (0 means 100). */
+    uint8_t poi; /* Type of the controller with which the player plays (enum board_poi). */
+    /* Aids for players with a mouse or touch screen (drivers/pointer/pointer_aid.h).
+     * `dips_by_click` is true if one click dips the poi (the paper scoop) and the next click lifts
+     * it. `reach_percent` is the lower part of the picture that stands for the whole picture, in
+     * per cent of its height; 0 means 100. */
     bool dips_by_click;
     uint32_t reach_percent;
     /* Number of USB controllers that may play without being selected in the menu. */
@@ -53,7 +56,8 @@ struct board_options {
      * BOARD_KEYBOARD_AUTO by one of the two. */
     uint8_t keyboard;
     bool off_screen; /* True if frames are rendered without a screen, to write pictures. */
-    /* True if only those frames are drawn that become pictures. Used only off screen. */
+    /* True if the renderer draws only the frames that are written as pictures. Used only if
+     * `off_screen` is true. */
     bool on_demand;
     bool full_screen;
     /* True if a screen may be connected after program start. Without a screen the display returns

@@ -5,8 +5,8 @@
 #include <stdint.h>
 
 /* Returns the number of SIMD lanes for the core's vectorized loops: 8 with AVX2, otherwise 4. The
- * caller passes the value to core_config and tank_config. The simulation result is the same for
- * both values. */
+ * caller passes the value to struct core_config and struct tank_config. The simulation result is
+ * the same for both values. */
 uint8_t cpu_lanes(void);
 
 /* Sets the calling thread's floating-point control register to the IEEE 754 default: round to

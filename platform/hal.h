@@ -98,18 +98,18 @@ struct hal_display_ops {
 /* One decoded controller report: a pose and its arrival time. */
 struct poi_sample {
     uint64_t time_ns; /* Arrival time in nanoseconds on the clock of hal_clock_ops. */
-    /* True if a report arrived at `time_ns`; false if the driver synthesized the sample between two
-     * reports or for a controller at rest. */
+    /* True if the controller sent a report at `time_ns`. False if the driver computed the sample
+     * itself, either between two reports or for a controller at rest. */
     bool was_stamped;
     bool has_wrist; /* True if the controller measures angles. */
     /* True if the sensor is noisy. Identical values in consecutive samples then mean that the
      * sensor is frozen. */
     bool trembles;
-    /* Values from the device, not validated. Each float may have any bit pattern. */
+    /* Pose from the device, not validated. Each float may have any bit pattern. */
     struct poi_target target;
 };
-/* Maximum number of samples that one poll returns. A 1,000 Hz controller sends 16 samples in a
- * 16 ms frame; the rest is a reserve for slow frames. */
+/* Maximum number of samples that one poll returns. A 1,000 Hz controller sends 16 samples in a 16
+ * ms frame. The other 48 are a reserve for slow frames. */
 #define HAL_POI_SAMPLES_MAX 64u
 
 struct hal_poi_ops {
@@ -128,8 +128,8 @@ struct hal_poi_ops {
     const char *(*describe)(void *self);
 };
 
-/* Functions of a fan device. A fan is a device that a player holds above the water beside the poi,
- * or in place of a poi. */
+/* Functions of a fan device. A player holds the fan above the water, beside a poi or instead of a
+ * poi. */
 struct hal_fan_ops {
     int (*open)(void *self); /* Opens the device, and reopens it after HAL_ERR_GONE. */
     /* Writes the fan's current position. The kiosk calls poll() after it has polled all pois,
@@ -143,12 +143,12 @@ struct hal_fan_ops {
 /* Number of lines with a bit in `missing` and `raw`: all buttons and all coin lines. */
 #define HAL_LINE_COUNT (INPUT_BUTTON_COUNT + COIN_LINE_COUNT)
 
-/* State of the buttons and coin lines. The edge counts are debounced and cover the time since the
- * last poll, so that a coin pulse of 20 ms is not lost. */
+/* State of the buttons and coin lines. `pressed` and `coin_count` are debounced and cover the time
+ * since the last poll, so that a coin pulse of 20 ms is not lost. */
 struct button_sample {
     /* Buttons held now, and buttons pressed since the last poll: bits of enum input_button. */
     uint32_t held, pressed;
-    /* Levels of all lines before debouncing, with the same bits as `missing`. */
+    /* Levels of all lines before debouncing. The bits are those of `missing`. */
     uint32_t raw;
     /* Counts of one line since the last poll. The array index is the bit number of the line in
      * `missing`. */
@@ -199,7 +199,7 @@ enum hal_switch {
  * in the next frame after HAL_ERR_BUSY, after one second on a fault, and never after
  * HAL_ERR_ABSENT. */
 struct hal_switches_ops {
-    /* Switches a lamp or the coin lockout on if `active` is true, otherwise off. */
+    /* Switches a lamp or the coin lockout on if `active` is true. Otherwise switches it off. */
     int (*set)(void *self, enum hal_switch which, bool active);
     /* Queues `count` additional pulses. The driver sends all queued pulses one after another at the
      * rate of the driver. */
@@ -236,8 +236,8 @@ struct hal_audio_ops {
 
 struct persistent_state; /* Defined in core/persistent_state.h. */
 
-/* Credit balances before (`from`) and after (`to`) a change. Coin units of the first balance may
- * have become credits in the second balance. */
+/* Credit balances before (`from`) and after (`to`) a change. Some coin units of `from` may have
+ * become credits in `to`. */
 struct balance_change {
     struct balance from, to;
 };
@@ -263,10 +263,11 @@ struct hal_ledger_ops {
     /* Returns true if there was no store at program start and a store is available now. The program
      * must restart to use the new store. */
     bool (*needs_restart)(void *self);
-    /* Adds offline credits to the store that needs_restart() reported. `entries` has 1 .. 16 ledger
-     * entries for coins that were inserted while there was no store. `step` is the change of the
-     * balance. The store sets the ids, boot numbers and balances of the entries. Copies all
-     * arguments. Returns HAL_ERR_BUSY while earlier entries are being written. */
+    /* Adds the coins that were inserted while there was no store. The coins are added to the new
+     * store that needs_restart() reported. `entries` has 1 .. 16 ledger entries for these coins.
+     * `step` is the change of the credit balance. The store sets the ids, boot numbers and balances
+     * of the entries. Copies all arguments. Returns HAL_ERR_BUSY while earlier entries are being
+     * written. */
     int (*merge_offline)(void *self, const struct balance_change *step,
                          const struct ledger_entry *entries, uint32_t count);
     /* Returns HAL_OK if all entries accepted by merge_offline() are on disk, otherwise
@@ -286,11 +287,11 @@ struct hal_replay_store_ops {
      * stored_id() returns `round_id`, or until a later call of store() is accepted. Returns
      * HAL_ERR_BUSY while another replay is being written. */
     int (*store)(void *self, uint32_t round_id, const uint8_t *bytes, size_t size);
-    /* Returns the newest round id whose replay was written or abandoned. */
+    /* Returns the id of the newest round whose replay was written or abandoned. */
     uint32_t (*stored_id)(void *self);
-    /* Starts to load the replay of a round and its ledger entry. The buffers `bytes` (of `size`
-     * bytes) and `round` must stay valid while fetched() returns HAL_ERR_BUSY. Sets the entry's id
-     * to 0 if the ledger no longer has the entry. */
+    /* Starts to load the replay of a round into `bytes` (of `size` bytes), and the round's ledger
+     * entry into `round`. Both buffers must stay valid while fetched() returns HAL_ERR_BUSY. Sets
+     * the id of `round` to 0 if the ledger no longer has the entry. */
     int (*fetch)(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
                  struct ledger_entry *round);
     /* Returns the size in bytes of the loaded replay, HAL_ERR_BUSY while the replay is being
@@ -300,7 +301,8 @@ struct hal_replay_store_ops {
     bool (*has)(void *self, uint32_t round_id);
 };
 
-/* Functions of the store of the growth lab's edits. */
+/* Functions of the store of edits. An edit is a change of a fish's deformation graphs that a player
+ * makes in the growth lab (a page of the kiosk). */
 struct hal_edit_store_ops {
     /* Queues an edit. Copies `edit`. Returns HAL_ERR_BUSY if the queue is full; the caller retries
      * in the next frame. */
@@ -312,8 +314,8 @@ struct hal_edit_store_ops {
 };
 
 struct hal_watchdog_ops {
-    /* Notifies the watchdog that the kiosk runs. The kiosk calls kick() once in each frame that had
-     * ticks. */
+    /* Notifies the watchdog that the kiosk runs. The kiosk calls kick() once in each frame in which
+     * the game advanced by at least one tick. */
     void (*kick)(void *self);
     /* Returns a value of enum scene_watch: whether the service manager restarts the kiosk if kick()
      * is not called. */
@@ -337,14 +339,14 @@ struct hal_edit_store { const struct hal_edit_store_ops *ops; void *self; };
 struct hal_watchdog { const struct hal_watchdog_ops *ops; void *self; };
 /* clang-format on */
 
-/* The devices of one controller. One constructor makes all of them. */
+/* The HAL devices that one controller provides. One constructor returns all of them. */
 struct hal_controller_devices {
     struct hal_poi poi;
     struct hal_fan fan;
     struct hal_buttons buttons;
 };
 
-/* The three stores of one folder or card. One constructor makes all of them. */
+/* The three stores in one data folder. One constructor returns all of them. */
 struct hal_storage {
     struct hal_ledger ledger;
     struct hal_replay_store replays;

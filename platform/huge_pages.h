@@ -1,5 +1,5 @@
-/* huge_pages.h -- allocates large arrays on memory pages of 2 MiB. The arrays are accessed at
- * random. */
+/* huge_pages.h -- allocates large arrays on memory pages of 2 MiB, for arrays that are accessed in
+ * random order. */
 #pragma once
 
 #include <stddef.h>

@@ -1,6 +1,6 @@
-/* key_colour.c -- selects evenly spaced colours of the spectrum for key shapes. The table has a
- * file of its own, so that the kiosk's growth lab and the pictures of kingyoctl use the same
- * colours. */
+/* key_colour.c -- selects the colours of key shapes (the growth stages of a fish), evenly spaced
+ * from red to blue. The table has a file of its own, so that the kiosk's growth lab and the
+ * pictures of kingyoctl use the same colours. */
 #include "platform/key_colour.h"
 
 #include "core/morph/species.h"

@@ -6,6 +6,6 @@
 
 /* Returns the colour 0xRRGGBB of key shape `key`, counted from 0 for the youngest, out of
  * `key_count` (2 .. MORPH_KEY_MAX). Three key shapes are red, green and blue, as in the 2005
- * thesis. Other counts use intermediate colours. The youngest is always red, and the oldest is blue
- * or navy. */
+ * thesis. Other values of `key_count` use intermediate colours. The youngest is always red, and the
+ * oldest is blue or navy. */
 uint32_t key_colour(uint32_t key_count, uint32_t key);

@@ -1,5 +1,5 @@
-/* panic_core.c -- defines core_panic(). The function has a file of its own because unit tests link
- * another version. */
+/* panic_core.c -- defines core_panic(), which a failed assertion calls. The function has a file of
+ * its own, because unit tests link another version of the function. */
 #include <stdlib.h>
 
 #include "core/base/panic.h"

@@ -50,7 +50,7 @@ uint32_t panics_up_s(void)
     return (uint32_t)(clock_ns(CLOCK_BOOTTIME) / NS_PER_S);
 }
 
-/* ---- Counting and leaving out -------------------------------------------------------------- */
+/* ---- Counting panics and leaving out stored data ------------------------------------------- */
 
 void panics_add(struct panics *panics, uint64_t boot, uint32_t up_s, uint32_t run_s, bool had_frame)
 {
@@ -138,8 +138,8 @@ static bool parse(struct panics *panics, const uint8_t bytes[PANICS_SIZE])
            replay_get_u64(bytes + AT_SUM) == hash_bytes(HASH_START, bytes, AT_SUM);
 }
 
-/* Renames a link, FIFO, folder, socket or device that has the file's name, so that a new file can
- * be created. Returns true if the object was renamed. */
+/* Renames a link, FIFO, folder, socket or device with the name PANICS_FILE, so that a new file with
+ * this name can be created. Returns true if such an object was renamed. */
 static bool quarantine_strange(int folder)
 {
     char name[40];

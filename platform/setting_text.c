@@ -31,8 +31,8 @@ static struct words words_of(uint32_t id)
         [SET_LANGUAGE] = { 2, { "ja", "en" } },
         [SET_LEVEL] = { LEVEL_CHOICE_COUNT, { "normal", "easy", "master" } },
         [SET_ROTATION] = { 4, { "0", "90", "180", "270" } },
-        /* Values 1 to 3 have no name because they are not valid. Value 0 is the paper grade of the
-         * game mode. */
+        /* The value is the paper grade of the poi (the paper scoop). Value 0 means the game mode's
+         * own grade. Values 1 to 3 have no name because they are not valid. */
         [SET_GRADE] = { 8, { "own", "", "", "", "4", "5", "6", "7" } },
     };
     struct words words = { .count = CHOICE_COUNT, .word = { [CHOICE_LAB] = "lab" } };
@@ -102,7 +102,8 @@ bool setting_parse(uint32_t id, const char *text, int32_t *out)
     const struct setting *setting = settings_entry(id);
     const struct words words = words_of(id);
     uint32_t number;
-    int32_t value = -1; /* A negative value is invalid, because no setting in a file is negative. */
+    int32_t value = -1; /* -1 means that the text is invalid, because no valid setting in a file is
+                         * negative. */
     CORE_ASSERT(setting_section(setting->group));
     if (setting->kind == KIND_CHOICE) {
         value = find_word(&words, text, strlen(text));

@@ -41,8 +41,9 @@ static bool path_in(const char *folder, const char *name, const char *suffix, ch
     return length > 0 && (unsigned)length < PATH_SIZE;
 }
 
-/* Returns whether data in the data folder survive a restart (enum scene_keeps). A result that the
- * script check-data wrote during the current boot is preferred. */
+/* Returns a value of enum scene_keeps: whether files in the data folder survive a restart of the
+ * machine. If the script check-data has written its result since the boot, that result is
+ * returned. */
 static uint8_t keeps_of(const struct system_health *machine)
 {
     char line[16] = "";
@@ -67,10 +68,9 @@ static int64_t seconds_on(clockid_t clock)
     return (int64_t)(clock_ns(clock) / NS_PER_S);
 }
 
-/* Updates the age of the backup. The civil clock is read only when the program starts with an
- * existing backup file. Afterwards the monotonic clock measures the age, because the civil clock
- * may jump. A change of the civil clock therefore does not affect the age of a backup that this
- * program made. */
+/* Updates the age of the database's backup. The civil clock is used only for a backup file that
+ * exists when the program starts. Otherwise the monotonic clock measures the age, because the civil
+ * clock may jump. */
 static void update_backup_age(struct system_health *machine, struct scene_machine *out)
 {
     char path[PATH_SIZE];
@@ -130,9 +130,10 @@ bool system_health_is_seen(const char *folder, const char *file)
     return path_in(folder, file, STORAGE_SEEN_SUFFIX, path) && access(path, F_OK) == 0;
 }
 
-/* Returns the number of quarantined files that are not acknowledged. If `marks` is true, also
- * creates an empty marker for each of these files. The markers are not synced. If a power cut loses
- * a marker, the operator is asked to acknowledge the file again. */
+/* Returns the number of quarantined files that the operator has not acknowledged. If `marks` is
+ * true, also acknowledges each of these files by creating an empty marker file. Marker files are
+ * not synced: if a power cut deletes a marker, the operator only has to acknowledge the file
+ * again. */
 static uint32_t count_quarantined(const struct system_health *machine, bool marks, int *error)
 {
     char path[PATH_SIZE];
@@ -175,8 +176,8 @@ void system_health_sample(struct system_health *machine, struct scene_machine *o
     struct stat about;
     struct statvfs disk;
     int ignored = 0;
-    /* A modification time of the store's files in the future means that the system clock was set
-     * back. */
+    /* The loop finds the newest modification time of the store's files. If it is in the future, the
+     * system clock was set back. */
     for (size_t i = 0; i < sizeof suffixes / sizeof suffixes[0] && !machine->has_begun; i++) {
         if (has_folder(machine) && path_in(machine->data, STORAGE_FILE, suffixes[i], path) &&
             stat(path, &about) == 0 && about.st_mtim.tv_sec > machine->written_s) {

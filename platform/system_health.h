@@ -36,7 +36,8 @@ struct system_health {
     pthread_t thread;
     bool runs;
     int wake_fd; /* Descriptor of eventfd(2) that ends the wait of the health monitor's thread. */
-    /* Requests that the thread ends, and that it marks all quarantined files as acknowledged. */
+    /* Requests to the health monitor's thread: `ends` to end, `acknowledges` to mark all
+     * quarantined files as acknowledged. */
     atomic_bool ends, acknowledges;
     pthread_mutex_t lock; /* Protects `newest`. The frame loop uses trylock only. */
     struct scene_machine newest;
@@ -49,7 +50,7 @@ struct system_health {
         struct timespec modified;
         /* Identity of the backup file at the last check (inode and modification time). */
     } backup;
-    int64_t backup_s; /* Time on the monotonic clock at which the backup was made. */
+    int64_t backup_s; /* Time in seconds on the monotonic clock at which the backup was made. */
     bool has_begun;
 };
 
@@ -68,10 +69,11 @@ enum system_health_quarantine {
     SYSTEM_HEALTH_QUARANTINE_DAMAGED, /* Damaged database, for example "kingyo.db.damaged-3". */
     /* Marker for a missing database, for example "kingyo.db.missing-3". */
     SYSTEM_HEALTH_QUARANTINE_MISSING,
-    /* Copy of the database from before a part of the data was deleted, for example
+    /* Copy of the database that was made before a part of its data was deleted, for example
      * "kingyo.db.left-out-3". */
     SYSTEM_HEALTH_QUARANTINE_LEFT,
-    /* File of a foreign ledger, for example "kingyo.db.tail.other-3". */
+    /* File that belongs to a ledger other than the store's, for example
+     * "kingyo.db.tail.other-3". */
     SYSTEM_HEALTH_QUARANTINE_OTHER,
 };
 
@@ -81,7 +83,7 @@ enum system_health_quarantine system_health_quarantine_of(const char *file);
 /* Returns true if the operator has acknowledged the quarantined file `file` in `folder`. */
 bool system_health_is_seen(const char *folder, const char *file);
 
-/* Starts the health monitor's thread. If no thread can be created, all health values remain
+/* Starts the health monitor's thread. If the thread cannot be created, all health values remain
  * unknown. */
 void system_health_start(struct system_health *machine);
 

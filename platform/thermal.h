@@ -15,7 +15,7 @@
 /* Default temperature limit in thousandths of a degree Celsius, used for a thermal zone without its
  * own limit. Typical boards slow down above this temperature. */
 #define THERMAL_LIMIT_MDEG 80000
-/* Value of the margin if no sensor was found. */
+/* Value of the temperature margin if no sensor was found. */
 #define THERMAL_UNKNOWN_MDEG 999000
 
 /* Returns the smallest temperature margin of all thermal zones under `root`, a folder like
@@ -36,8 +36,8 @@ struct thermal {
     atomic_uint looks; /* Number of completed temperature measurements. */
 };
 
-/* Starts the temperature monitor's thread. If no thread can be created, the margin remains
- * unknown. */
+/* Starts the temperature monitor's thread. If the thread cannot be created, the temperature margin
+ * remains unknown. */
 void thermal_start(struct thermal *thermal);
 
 /* Stops the temperature monitor's thread and waits until the thread has ended. */

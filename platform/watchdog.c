@@ -11,7 +11,8 @@
 #include "core/base/panic.h"
 
 #define PERIOD_DEFAULT_NS 1000000000u
-/* Notifications sent per time limit. Three of four notifications may be lost or late. */
+/* Number of notifications that are sent within each time limit of the service manager. Three of the
+ * four may be lost or late. */
 #define KICKS_PER_DEADLINE 4u
 
 int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char *notify_socket,

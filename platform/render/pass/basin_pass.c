@@ -32,12 +32,11 @@ enum basin_part {
 
 #define UP { 0.0f, 1.0f, 0.0f }
 #define VERTICES_PER_FACE 6u
-/* Surface slope in units of the scene's surface data. A value of 1 in these data means a slope of
- * 1/508. */
+/* Slope of the water surface that a value of 1 in the scene's `slope` array means. */
 #define SLOPE_UNIT (1.0f / 508.0f)
-/* Period of the wind waves' animation in ticks. The time restarts at 0 after each period, so that
- * the arguments of the sine functions stay small and exact. The water surface jumps slightly at
- * each restart. */
+/* Number of ticks after which the animation of the wind waves restarts at time 0, so that the
+ * arguments of the sine functions stay small and exact. The water surface jumps slightly at each
+ * restart. */
 #define WIND_WRAP_TICKS (600u * CORE_TICK_HZ)
 
 static const struct face faces[] = {
@@ -55,12 +54,13 @@ static const struct face faces[] = {
     { { -3, -1, 2 }, { 3, -1, 2 }, { 3, -1, 3 }, { -3, -1, 3 }, UP },
     { { -3, -1, -2 }, { -2, -1, -2 }, { -2, -1, 2 }, { -3, -1, 2 }, UP },
     { { 2, -1, -2 }, { 3, -1, -2 }, { 3, -1, 2 }, { 2, -1, 2 }, UP },
-    /* Inner side of the rim, in the order far, left, right. The near inner side faces away from the
-     * player and is not drawn. */
+    /* Inner sides of the rim, in the order far, left, right. The inner side of the near edge faces
+     * away from the player and is not drawn. */
     { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 1, -1 }, { -1, 1, -1 }, { 0, 0, 1 } },
     { { -1, 0, -1 }, { -1, 0, 1 }, { -1, 1, 1 }, { -1, 1, -1 }, { 1, 0, 0 } },
     { { 1, 0, -1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 1, 1, -1 }, { -1, 0, 0 } },
-    /* Outer side of the rim. Only the near outer side is visible. */
+    /* Outer side of the rim's near edge. The player cannot see the outer sides of the other
+     * edges. */
     { { -2, -1, 2 }, { 2, -1, 2 }, { 2, 1, 2 }, { -2, 1, 2 }, { 0, 0, 1 } },
     /* Top of the rim, in the order far, near, left, right. */
     { { -2, 1, -2 }, { 2, 1, -2 }, { 2, 1, -1 }, { -2, 1, -1 }, UP },
@@ -141,9 +141,9 @@ void basin_pass_close(struct basin_pass *pass)
     gl_ring_close(&pass->slope_ring);
 }
 
-/* A wave that a light wind causes on the water surface. The renderer adds a few long, low waves to
- * the surface slopes that the core computes, so that the reflections of the lanterns always move.
- * `slope` is the slope times 508, as in struct scene. */
+/* A wave that a light wind causes on the water surface. The renderer adds a few of these long, low
+ * waves to the slopes from the core, so that the reflections of the lanterns always move. `slope`
+ * is the slope times 508, as in struct scene. */
 struct wind_wave {
     float x_rad_m, z_rad_m, rad_s, slope;
 };
@@ -183,10 +183,10 @@ static void add_wind(struct basin_pass *pass, const struct wind_wave *wave, vec3
     }
 }
 
-/* Maximum slope that refracts the picture below the surface. A steeper slope would cause folds and
- * streaks where the slope changes sign within a grid cell. With this maximum, the refraction at two
- * neighbouring cells differs by at most 0.65 cell widths in the festival tank and 0.89 in the deep
- * tank of the 2013 thesis. */
+/* Maximum slope of the water surface for the refraction of the objects below. With a steeper slope,
+ * the refracted picture would have folds and streaks where the slope changes sign within a grid
+ * cell. With this maximum, the refraction at two neighbouring cells differs by at most 0.65 cell
+ * widths in the festival tank and 0.89 in the deep tank of the 2013 thesis. */
 #define SEEN_SLOPE_MAX 0.05f
 
 void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene)

@@ -21,8 +21,8 @@ struct lathe {
     bool outside;
 };
 
-/* Writes the radius and the height of the profile's point `t`. The profile is a superellipse, whose
- * shape is between a cup and a dish. */
+/* Writes the radius and the height of the point `t` (0 .. 1) of the bowl's profile. The profile is
+ * a superellipse, whose shape is between a cup and a dish. */
 static void profile(float t, bool outside, float *r, float *y)
 {
     const float angle = t * 0.5f * F_PI;
@@ -44,7 +44,8 @@ static struct shape_vertex shell_point(float u, float v, const void *context)
                                   .v = t };
 }
 
-/* Returns a point of the rounded lip. `v` runs from the inner edge (0) to the outer edge (1). */
+/* Returns a point of the bowl's rounded lip. `u` (0 .. 1) is the position around the bowl. `v` is 0
+ * at the inner edge of the lip and 1 at the outer edge. */
 static struct shape_vertex lip_point(float u, float v, const void *context)
 {
     (void)context;
@@ -115,8 +116,8 @@ static void use(const struct bowl_part *part, const struct scene_bowl *bowl)
     glUseProgram(part->program);
     glUniformMatrix3fv(part->heel, 1, GL_FALSE, heel);
     glUniform4f(part->mouth, at.x, at.y, at.z, bowl->radius_m);
-    /* The loop finds the inner radius of the profile at height `level` (in bowl depths) by
-     * bisection. */
+    /* The loop finds by bisection the inner radius `r` of the bowl at the height `level` of the
+     * bowl's water (in bowl depths). */
     float low = 0.0f;
     float high = 1.0f;
     float r = 1.0f;

@@ -13,8 +13,8 @@ struct bowl_part {
 struct bowl_pass {
     struct bowl_part shell_part, hole_part, water_part;
     struct shape_buffers shell, disc;
-    /* First index of the hull, which is the outside and the lip of the bowl's shell. The hull ends
-     * at the last index. */
+    /* Position of the hull's first entry in the index buffer. The hull is the outside and the lip
+     * of the bowl's shell. The hull's entries are the last ones of the buffer. */
     uint32_t hull_first;
 };
 
@@ -23,9 +23,9 @@ void bowl_pass_close(struct bowl_pass *pass);
 
 /* Removes the tank's water surface from the depth buffer inside the bowl's mouth. */
 void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl);
-/* Draws the bowl's enamelled shell. If `is_hull` is true, draws only the outside and the lip, for
- * the picture of the objects below the water surface. Otherwise also draws the inside, for the
- * picture of the objects above the surface. */
+/* Draws the bowl's enamelled shell. If `is_hull` is true, draws only the outside and the lip,
+ * because the picture of the objects below the water surface needs no more. Otherwise also draws
+ * the inside, which the picture of the objects above the surface needs. */
 void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics,
                      bool is_hull);
 /* Draws the surface of the water in the bowl. */

@@ -150,9 +150,9 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
     gl_buffer_refill(GL_ARRAY_BUFFER, pass->instances, scene->fish_count * sizeof *pass->instances);
 }
 
-/* Sets the first `count` instance attributes of the table in this function so that they begin at
- * instance `first`, because OpenGL ES 3.0 has no base instance. `locations` lists the locations of
- * the attributes in the shader. */
+/* Sets the pointers of the first `count` vertex attributes in the table below, so that the next
+ * instanced draw call begins with the fish `first` of the instance buffer. OpenGL ES 3.0 has no
+ * draw call with a base instance. `locations` has the location of each attribute in the shader. */
 static void point_instances(const struct fish_pass *pass, uint32_t first, const GLuint *locations,
                             uint32_t count)
 {

@@ -1,5 +1,4 @@
-/* fish_pass.h -- draws every goldfish of the scene as an instance of one species' meshes.
- *
+/* fish_pass.h -- draws every goldfish of the scene as an instance of the meshes of one species.
  * Bodies are opaque. Fins are translucent and are drawn from the lowest fish to the highest. */
 #pragma once
 
@@ -9,12 +8,14 @@
 #include "platform/render/quality.h"
 #include "platform/render/textures.h"
 
-/* Group of a fish. The instance buffer contains the groups in this order. */
+/* Group of a fish, by its place and by its size on the screen. The instance buffer contains the
+ * groups in this order. */
 enum fish_group {
-    FISH_FAR = 0, /* In the tank and small on the screen. Drawn with the far mesh. */
+    FISH_FAR =
+        0, /* The fish is in the tank and small on the screen. Its mesh is the far mesh (few vertices). */
     FISH_NEAR,
-    /* In the tank, with the snout above the water surface, and small on the screen. Drawn with the
-     * far mesh. */
+    /* The fish is in the tank, small on the screen, and partly above the water surface. Its mesh is
+     * the far mesh. */
     FISH_GULPING_FAR,
     FISH_GULPING,
     FISH_ON_POI,
@@ -25,7 +26,8 @@ enum fish_group {
 struct fish_instance {
     float place[4], right_phase[4], up_amplitude[4];
     float character[4];
-    /* Opening of the mouth, phase of the gulp, and texture row of the fish's pose. */
+    /* Opening of the mouth, phase of the gulp (a gasp for air), and row of the fish's pose in the
+     * pose texture. */
     float gulp[3];
 };
 
@@ -41,7 +43,7 @@ struct fish_pass {
     GLuint instance_buffer;
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
     struct fish_poses poses[SPECIES_LOD_COUNT];
-    struct morph_rig rig; /* Prepared deformation graphs of the species. */
+    struct morph_rig rig; /* Deformation graphs of the species, prepared for computing poses. */
     uint32_t first[FISH_GROUP_COUNT], count[FISH_GROUP_COUNT];
     /* Indices of the fish in the scene, in ascending order of height. */
     uint16_t order[SCENE_FISH_MAX];
@@ -58,10 +60,9 @@ void fish_pass_close(struct fish_pass *pass);
 void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
                        const struct frame_view *view, const struct quality *quality);
 
-/* Draws the bodies of one group of fish into a render target with a depth buffer. Of gulping fish,
- * draws only the part below the water surface, or the snouts if `snouts` is true. The snouts are
- * the parts above the water surface. Each fish is then drawn completely, and the depth of the water
- * surface hides the lower part. */
+/* Draws the bodies of one group of fish into a render target with a depth buffer. If `snouts` is
+ * false, draws only the part below the water surface of each gulping fish. If `snouts` is true,
+ * draws the whole body, because the depth of the water surface hides the part below. */
 void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group, bool snouts,
                       const struct textures *textures, GLuint caustics);
 /* Draws the fins of one group of fish with premultiplied blending. */

@@ -65,7 +65,7 @@ static void disc_shadow(const struct light_pass *pass, const float pose[16], flo
 {
     CORE_ASSERT(radius_m > 0.0f);
     /* The width of the soft edge of a shadow increases with the height of the object above the
-     * floor. The shadows of fish follow the same rule. */
+     * floor. The shader of the fish's shadows uses the same formula. */
     const float blur = (0.004f + f_max(height_m, 0.0f) * 0.10f) / radius_m;
     glUniformMatrix4fv(pass->disc_pose, 1, GL_FALSE, pose);
     glUniform4f(pass->disc_softness, f_clamp(blur, 0.08f, 0.9f), shape[0], shape[1], shape[2]);

@@ -1,5 +1,5 @@
-/* light_pass.h -- draws two textures of the light on the floor: the caustics at the current time,
- * and the shadows of all objects. */
+/* light_pass.h -- draws two textures with the light on the tank's floor: the caustics (the pattern
+ * of focused light) at the current time, and the shadows of all objects. */
 #pragma once
 
 #include "core/scene.h"

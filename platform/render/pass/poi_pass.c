@@ -1,5 +1,5 @@
-/* poi_pass.c -- draws the pois (paper scoops). The meshes of the ring and the handle have lengths
- * in inner radii of the ring. */
+/* poi_pass.c -- draws the pois (paper scoops). The unit of length in the meshes of the ring and the
+ * handle is the inner radius of the ring. */
 #include "platform/render/pass/poi_pass.h"
 
 #include <string.h>
@@ -65,8 +65,8 @@ struct poi_pool poi_pool_of(const struct scene_poi *poi)
     return pool;
 }
 
-/* Radius of the middle of the ring's rim, in inner radii of the ring. In a real poi, the inner
- * radius is 40 mm and the outer radius is 46.5 mm. */
+/* Distance from the poi's centre to the middle of the ring's plastic. The unit is the inner radius
+ * of the ring. In a real poi, the inner radius is 40 mm and the outer radius is 46.5 mm. */
 #define RING_MIDDLE 1.08f
 #define RING_HALF_WIDTH 0.085f
 #define RING_HALF_HEIGHT 0.062f
@@ -108,8 +108,9 @@ static struct shape_vertex ring_point(float u, float v, const void *context)
     return (struct shape_vertex){ .position = p, .u = u, .v = v };
 }
 
-/* Returns a point of the handle. The handle is a flat bar with a slim neck at the ring, a broader
- * grip and a round end. */
+/* Returns a point of the handle, which is a flat bar with a slim neck at the ring, a broader grip
+ * and a round end. `u` is the position around the bar and `v` the position along it, both 0 ..
+ * 1. */
 static struct shape_vertex handle_point(float u, float v, const void *context)
 {
     (void)context;
@@ -234,8 +235,8 @@ void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint
     const struct scene_poi *const poi = &scene->poi[index];
     float pose[16], rests[RESTS_MAX][4] = { 0 }, spines[RESTS_MAX][3] = { 0 };
     poi_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
-    /* The first RESTS_MAX fish on the paper darken the paper. A fish length of 0 means that the
-     * entry is unused. */
+    /* The first RESTS_MAX fish on the paper darken the paper. In `rests`, an entry with a fish
+     * length of 0 is unused. */
     for (uint32_t i = 0, count = 0; i < scene->fish_count && count < RESTS_MAX; i++) {
         const struct scene_fish *const fish = &scene->fish[i];
         const vec3 at = fish->position_m;

@@ -7,10 +7,11 @@
 #include "platform/render/shape.h"
 #include "platform/render/textures.h"
 
-/* Maximum thickness of the water film on each face of the paper. Further water collects in the
+/* Maximum thickness in metres of the water film on the poi's paper. Further water collects in a
  * pool. */
 #define POI_FILM_M 0.0006f
-/* Level of the water pool of a poi that carries no pool. The level is far below all objects. */
+/* Level in metres of the water pool of a poi without a pool. This level is far below all
+ * objects. */
 #define POI_NO_POOL_M -1e3f
 
 struct poi_pool {
@@ -33,8 +34,8 @@ struct poi_pass {
     uint8_t cells[SHEET_SIDE * SHEET_SIDE][4];
 };
 
-/* Writes the pose of a poi or of another object as a column-major matrix. One unit along each of
- * the object's axes is `scale` metres long, > 0. */
+/* Writes the pose of a poi or of another object to `out` as a column-major matrix. `scale` (> 0) is
+ * the length in metres of one unit along each axis of the object. */
 void poi_pose(float out[16], vec3 position_m, struct angles angles, float scale);
 
 /* Returns the colour of player `owner` (red, green, blue). The fourth value is the number of white

@@ -9,33 +9,35 @@
 /* Maximum number of bubbles. At any time about a third of the bubbles have risen and float on the
  * surface. */
 #define BUBBLE_COUNT 72
-/* Number of drops that detach one at a time, which is LOOSE in drip.vert.glsl, and number of drops
- * in the streams of water. */
+/* Maximum number of drops per poi. DROPS_LOOSE drops detach one at a time, and DROPS_STREAM drops
+ * form streams of water. DROPS_LOOSE must equal LOOSE in drip.vert.glsl. */
 #define DROPS_LOOSE 5
 #define DROPS_STREAM 36
 /* Minimum mean depth in metres of the water on the paper at which drops fall. A thinner layer of
  * water adheres to the paper. */
 #define DRIPS_FROM_M 0.0002f
-/* Mean depth in metres of the water on the paper at which DROPS_LOOSE drops fall. */
+/* Mean depth in metres of the water on the paper from which the maximum of DROPS_LOOSE drops
+ * falls. */
 #define DRIPS_FULL_M 0.0015f
-/* Mean depths between which the streams begin and reach DROPS_STREAM drops. A poi that leaves the
- * water has 0.6 to 1.7 mm. */
+/* Mean depths of the water on the paper at which the streams begin, and from which the streams have
+ * the maximum of DROPS_STREAM drops. A poi that leaves the tank carries 0.6 to 1.7 mm of water. */
 #define STREAMS_FROM_M 0.0004f
 #define STREAMS_FULL_M 0.0010f
-/* Heights of the ring's centre between which the streams of a level ring end. The water that hung
- * on the rim has run off then. */
+/* Heights of a level ring above the water surface at which its streams begin to become weaker, and
+ * at which its streams have ended because the water on the rim has run off. */
 #define STREAMS_TO_M 0.030f
 #define STREAMS_END_M 0.058f
-/* Half the angle of the ring that streams leave if the ring is steep. A level ring has streams all
- * around. */
+/* Half the angle of the arc, around the lowest point of a steep ring, from which streams fall. From
+ * a level ring, streams fall all around. */
 #define STREAMS_STEEP_RAD 0.6f
-/* Minimum height in metres of the poi's low side above the water surface at which drops fall. */
+/* Minimum height in metres above the water surface of the poi's low side, from which the drops
+ * fall. */
 #define CLEAR_M 0.008f
-/* Distance of the drops from the paper's centre, in paper radii. Drops fall from the ring's outer
- * edge. */
+/* Distance of the drops from the paper's centre, in paper radii. Drops fall from the outer edge of
+ * the ring around the paper. */
 #define RING_REACH 1.17f
-/* Height in metres of the hand-held fan above the water. From the player's eye, a fan at this
- * height hides half of its shadow on the water and little of the floor. */
+/* Height in metres of the hand-held fan above the water. As seen by the player, a fan at this
+ * height hides half of its own shadow on the water and little of the floor. */
 #define FAN_HEIGHT_M 0.15f
 /* Tilt of the hand-held fan. The far edge is lower, so that the player sees the picture on the
  * fan. */

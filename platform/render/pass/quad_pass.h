@@ -10,7 +10,7 @@ struct quad_pass {
     GLuint no_attributes; /* Vertex array without attributes. */
     GLuint bubble_program, drip_program, fan_program, dark_program;
     GLint stone, lip, hub, low, across, fan_pose, fan_trim,
-        dark; /* Locations of the shader uniforms. */
+        dark; /* Each GLint is the location of a shader uniform. */
 };
 
 void quad_pass_open(struct gl_status *status, struct quad_pass *pass);

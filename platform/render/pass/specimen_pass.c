@@ -1,5 +1,5 @@
-/* specimen_pass.c -- draws specimens, and manages the cache slots and the textures of their
- * species. */
+/* specimen_pass.c -- draws specimens (single fish on a page), and manages the cache slots and the
+ * textures of their species. */
 #include "platform/render/pass/specimen_pass.h"
 
 #include <string.h>
@@ -14,8 +14,8 @@
 /* Minimum fish length in pixels from which the near mesh is drawn. A shorter fish is drawn with the
  * far mesh. */
 #define NEAR_PX 150.0f
-/* Maximum distance by which the swimming motion moves a vertex beyond the extent of the resting
- * mesh, in body lengths. */
+/* Maximum distance, in body lengths, by which the swimming motion moves a vertex outside the extent
+ * of the mesh at rest. */
 #define SWAY_LENGTHS 0.3f
 /* Maximum painting time per frame in ns while a visible texture is only coarsely painted. */
 #define WORK_NS 10000000u
@@ -84,8 +84,8 @@ static void specimen_pass_fill_slot(struct specimen_pass *pass, struct specimen_
         fish_mesh_fill(&slot->mesh[lod], &pass->memory, &species->lod[lod],
                        species->card.key_count);
     }
-    /* The species shares the fish texture of a built-in species with identical paint. The ordinary
-     * morph of a species therefore shares the texture of the species. */
+    /* If a built-in species has identical paint, this species shares its texture. Therefore the
+     * ordinary morph (colour variety) of a species needs no texture of its own. */
     slot->worn = &slot->skin;
     for (uint32_t i = 0; i < SPECIES_BUILT_IN && slot->worn == &slot->skin; i++) {
         const struct species *const other = pass->slots[i].species;
@@ -101,8 +101,9 @@ static void specimen_pass_fill_slot(struct specimen_pass *pass, struct specimen_
 }
 
 /* Returns the cache slot with the data of the specimen's species. A built-in species has its own
- * slot, and only the address of the species is compared, because its data never change. Any other
- * species is loaded into the least recently used of the other slots if no slot has the species. */
+ * slot. The data of a built-in species never change, so the function compares only the address. Any
+ * other species is loaded into the least recently used of the remaining slots, unless one of these
+ * slots already has the species. */
 static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct specimen *specimen)
 {
     CORE_ASSERT(specimen->species);
@@ -124,9 +125,10 @@ static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct sp
     return slot;
 }
 
-/* Returns the texture to paint next, or null if all textures are finished. A visible coarse texture
- * has priority over all other unfinished textures. Among equals, the texture with the largest fish
- * is painted first. Writes whether the returned texture is visible and coarse to `is_seen`. */
+/* Returns the texture to paint next, or null if all textures are finished. A texture that is
+ * visible and only coarsely painted comes before all other unfinished textures. Among textures of
+ * the same priority, the one with the largest fish on the screen comes first. Sets `is_seen` to
+ * true if the returned texture is visible and coarse. */
 static struct fish_texture *unfinished(struct specimen_pass *pass, bool *is_seen)
 {
     struct fish_texture *found = NULL;
@@ -186,7 +188,8 @@ struct told {
     struct fish_texture_lines lines[FISH_TEXTURE_LINES];
 };
 
-/* Makes `program` current and sends the uniforms of the screen and of the specimen's place. */
+/* Makes `program` the current program, and sets its uniforms for the screen and for the specimen's
+ * position and length. */
 static void use_program(const struct specimen_program *program, const struct specimen *specimen,
                         const struct display_transform *transform)
 {
@@ -234,8 +237,9 @@ static void draw_part(const struct specimen_program *program, const struct fish_
     fish_mesh_draw(mesh, fins, 1);
 }
 
-/* Draws the fin parts that are behind the body. These parts are drawn before the body, so that the
- * body's smooth outline blends with them and they are visible through a transparent body. */
+/* Draws the parts of the fins that are behind the body. These parts are drawn before the body, so
+ * that the body's smooth outline blends with the fins, and the fins are visible through a
+ * transparent body. */
 static void draw_behind(const struct specimen_pass *pass, const struct fish_mesh *mesh, bool clear,
                         const float look[4])
 {
@@ -284,8 +288,9 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     told.look[2] = fish_texture_opacity(slot->worn, pass->pose.weight[0]);
     send_specimen_uniforms(&pass->body, specimen, slot, &told);
     send_specimen_uniforms(&pass->fin, specimen, slot, &told);
-    /* The depth is cleared around the specimen. The depth of earlier specimens is not needed
-     * because specimens on a screen do not overlap. */
+    /* The scissor rectangle limits the clearing of the depth buffer to the area around the
+     * specimen. The depth of earlier specimens is not needed, because specimens on a screen do not
+     * overlap. */
     const float reach = (mesh->reach + SWAY_LENGTHS) * specimen->length_px;
     const float x = transform->x + transform->xx * specimen->x_px + transform->xy * specimen->y_px;
     const float y = transform->y + transform->yx * specimen->x_px + transform->yy * specimen->y_px;

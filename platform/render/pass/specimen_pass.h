@@ -1,5 +1,5 @@
-/* specimen_pass.h -- draws specimens (specimen.h). A specimen is one fish of any species with the
- * species' own paint.
+/* specimen_pass.h -- draws specimens (specimen.h). A specimen is one fish of any species, with the
+ * paint of its species.
  *
  * Each built-in species has its own cache slot, which is filled at first use or in a frame without
  * other work. Any other species is uploaded at first use, into the least recently used of the
@@ -13,14 +13,15 @@
 #include "platform/render/specimen.h"
 #include "platform/render/textures.h"
 
-/* Number of cache slots for species that are not built in: the growth lab's comparison fish and one
- * more species. */
+/* Number of cache slots for species that are not built in. One slot is for the comparison fish of
+ * the growth lab (the kiosk's page about the growth of fish), and one is for one more species. */
 #define SPECIMEN_OTHERS 2u
 #define SPECIMEN_SLOTS (SPECIES_BUILT_IN + SPECIMEN_OTHERS)
 
 /* clang-format off */
-/* List of the uniforms of the specimen shaders. `screen_px` is the screen size in pixels. `turn`
- * and `move` are the rotation and the position of the picture on the screen. */
+/* List of the uniforms of the specimen shaders. The macro X() is called with the name of each
+ * uniform. `screen_px` is the screen size in pixels. `turn` and `move` are the rotation and the
+ * position of the picture on the screen. */
 #define SPECIMEN_UNIFORMS                                                                          \
     X(screen_px) X(turn) X(move) X(reach) X(axes) X(place) X(swim) X(look) X(tint) X(sheets)       \
     X(worn) X(line_place) X(line_shape) X(line_colour)
@@ -45,7 +46,8 @@ struct specimen_slot {
      * species with identical paint. */
     struct fish_texture *worn;
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
-    struct morph_rig rig; /* Prepared deformation graphs of the species in the cache slot. */
+    struct morph_rig
+        rig; /* Deformation graphs of the species in the cache slot, prepared for computing poses. */
     struct fish_texture skin;
 };
 
