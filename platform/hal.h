@@ -108,8 +108,8 @@ struct poi_sample {
     /* Pose from the device, not validated. Each float may have any bit pattern. */
     struct poi_target target;
 };
-/* Maximum number of samples that one poll returns. A 1,000 Hz controller sends 16 samples in a 16
- * ms frame. The other 48 are a reserve for slow frames. */
+/* Maximum number of samples that one poll returns. A 1,000 Hz controller sends 16 samples in a
+ * 16 ms frame. The other 48 are a reserve for slow frames. */
 #define HAL_POI_SAMPLES_MAX 64u
 
 struct hal_poi_ops {

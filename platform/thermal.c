@@ -13,8 +13,8 @@
 #include "platform/os/thread.h"
 
 #define PATH_SIZE 512
-#define TRIP_MAX                                                                                   \
-    12u /* Maximum number of trip points (temperature thresholds) of a thermal zone in the kernel. */
+/* Maximum number of trip points (temperature thresholds) of a thermal zone in the kernel. */
+#define TRIP_MAX 12u
 #define SANE_MIN_MDEG 0 /* Sensor values outside SANE_MIN_MDEG .. SANE_MAX_MDEG are ignored. */
 #define SANE_MAX_MDEG 150000
 

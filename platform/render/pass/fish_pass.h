@@ -11,8 +11,8 @@
 /* Group of a fish, by its place and by its size on the screen. The instance buffer contains the
  * groups in this order. */
 enum fish_group {
-    FISH_FAR =
-        0, /* The fish is in the tank and small on the screen. Its mesh is the far mesh (few vertices). */
+    /* The fish is in the tank and small on the screen. Its mesh is the far mesh (few vertices). */
+    FISH_FAR = 0,
     FISH_NEAR,
     /* The fish is in the tank, small on the screen, and partly above the water surface. Its mesh is
      * the far mesh. */
