@@ -15,16 +15,17 @@
 
 #include "core/morph/species.h"
 
-/* Maximum number of cross sections of a key. Real fish need fewer cross sections. */
+/* Maximum number of drawn cross sections of the body in one key (modelled growth stage). Real fish
+ * need fewer. */
 #define STATION_MAX 24
 /* Maximum number of drawn rays of a fin. */
 #define RAY_MAX 12
-/* Maximum number of finlets in a row. A bigeye tuna has eight to ten finlets above and eight to ten
- * below. */
+/* Maximum number of finlets (small fins behind the dorsal or anal fin) in a row. A bigeye tuna has
+ * eight to ten finlets in each of its two rows. */
 #define FINLET_MAX 10
 #define AREA_MAX 4 /* Maximum number of painted areas that one deformation curve moves. */
-/* Body coordinate u of the rear edge of the gill cover in every key (modelled growth stage). The
- * coordinate x of this edge differs between keys. */
+/* Body coordinate u of the rear edge of the gill cover, the same in every key (modelled growth
+ * stage). The edge's coordinate x in the drawings differs from key to key. */
 #define GILL_U 0.30f
 
 /* A cross section of the body at position `x`. The outline of the cross section is a superellipse
@@ -35,15 +36,15 @@ struct station {
 };
 
 /* One fin ray. `at` is the position of the ray along the fin's base, [0, 1]. `length` is a fraction
- * of the distance from the snout to the tail root. fin_direction() in shape_fin.c defines the
- * directions for which `sweep_deg` and `side_deg` are 0. These directions depend on the fin. */
+ * of the distance from the snout to the tail root. `sweep_deg` and `side_deg` are the ray's angles.
+ * Their zero directions depend on the fin: see fin_direction() in shape_fin.c. */
 struct ray {
     float at, length, sweep_deg, side_deg;
 };
 
 struct fin {
-    /* Start and end of the fin's base along x. For the tail fin, lower end and upper end of the
-     * base along y. */
+    /* Coordinates x of the start and the end of the fin's base. For the tail fin, these are the
+     * coordinates y of the lower and the upper end. */
     float start, end;
     /* Position of a paired fin on the cross section. 0 is the middle of the back, 0.25 the flank,
      * and 0.5 the middle of the belly. */
@@ -55,16 +56,16 @@ struct fin {
 };
 
 /* A row of finlets, which are small fins behind the dorsal or anal fin. Each finlet leans backward
- * by `sweep_deg` degrees. 0 means upright. */
+ * by `sweep_deg` degrees from the upright position. */
 struct finlets {
     float start, end, length, sweep_deg;
     uint32_t count; /* Number of finlets, 0 to FINLET_MAX. */
 };
 
-/* An eye. `bulge` is how far the eye protrudes from the skin, as a fraction of the diameter.
- * `turn_deg` is the angle in degrees by which the eye has migrated over the back, as in a flatfish.
- * 0 means that the eye is on its original side at height `y`. 90 means the middle of the back. 180
- * means the opposite side at height `y`. */
+/* An eye. `bulge` is how far the eye protrudes from the skin, as a fraction of the eye's diameter.
+ * `turn_deg` is the angle in degrees by which the eye has migrated over the back, as in a flatfish:
+ * an eye with 0 is on its original side at height `y`, an eye with 90 is on the middle of the back,
+ * and an eye with 180 is on the opposite side at height `y`. */
 struct eye {
     float x, y, diameter, bulge, turn_deg;
 };
@@ -84,8 +85,8 @@ struct key_text {
     struct species_coat coat;
 };
 
-/* Body parts that a deformation curve may move in addition to those of enum species_part. The head
- * is in front of the gill cover's rear edge, and the trunk is behind this edge. */
+/* Body parts, in addition to those of enum species_part, that a deformation curve may move. The
+ * head is in front of the gill cover's rear edge, and the trunk is behind this edge. */
 enum { PART_HEAD = PART_COUNT, PART_TRUNK, OWNED_COUNT };
 
 /* A painted area of the body. `from` and `to` limit the area along x, and `low` and `high` limit
@@ -95,8 +96,9 @@ struct area {
     float from, to, low, high, soft;
 };
 
-/* The parts of the fish that one deformation graph moves. The first graph of a species moves all
- * parts that no other graph moves. */
+/* The parts of the fish that one deformation graph moves. A deformation graph gives the weight of
+ * each key over the fish's life. The first graph of a species moves all parts that no other graph
+ * moves. */
 struct curve_text {
     /* Set of the parts that the graph moves. Each enum species_part, PART_HEAD and PART_TRUNK has
      * one bit. */
@@ -107,9 +109,10 @@ struct curve_text {
 
 struct species_text {
     struct species_card
-        card; /* Card of the species, with the names of its keys and its graphs. While the text is
-                 read, a negative age of a key means that the text gives no age and that the age is
-                 computed from the length. */
+        /* Card of the species, with the names of its keys and its graphs. While the species text is
+         * parsed, a key with a negative age has no age in the text. Its age is later computed from
+         * its length. */
+        card;
     /* True if the dorsal fin, the tail fin and the anal fin form one continuous fin, as in an
      * eel. */
     bool confluent;
@@ -135,8 +138,8 @@ struct detail {
 
 struct loft {
     uint32_t vertex_count, index_count, anchor_count;
-    /* First vertex, number of rings and number of vertices per ring of the grid of body vertices,
-     * as in struct species_mesh. */
+    /* The vertices of the body form a grid: index of the grid's first vertex, number of rings, and
+     * number of vertices per ring, as in struct species_mesh. */
     uint32_t grid_first, grid_rings, grid_spokes;
     float reach;
     struct species_vertex vertices[MESH_VERTEX_MAX];

@@ -19,7 +19,8 @@ static int is_pack_file(const struct dirent *entry)
     return entry->d_name[0] != '.' && file_has_suffix(entry->d_name, PACK_SUFFIX);
 }
 
-/* Compares two entries by their bytes, so that their order does not depend on the locale. */
+/* Compares the names of two folder entries by their bytes, so that their order does not depend on
+ * the locale. */
 static int compare_names(const struct dirent **a, const struct dirent **b)
 {
     return strcmp((*a)->d_name, (*b)->d_name);
@@ -52,8 +53,8 @@ static bool library_read_file(struct library *library, const char *path,
     return true;
 }
 
-/* Appends an entry for the file `file` to library->lines and returns the entry. The entry has no
- * library slot and no reason yet. */
+/* Appends an entry for the file `file` to library->lines and returns the entry. Its library slot
+ * and its reason for a rejection are still empty. */
 static struct library_line *add_line(struct library *library, const char *file)
 {
     CORE_ASSERT(library->line_count < LIBRARY_LINE_MAX);

@@ -10,8 +10,8 @@
 #include "platform/species/pack.h"
 
 #define LIBRARY_FOLDER "species"
-/* Maximum number of files that are read, because a screen shows one line for each file. More files
- * are only counted. */
+/* Maximum number of files that are read. The number is limited because the operator's screen shows
+ * one line for each file. Further files are only counted. */
 #define LIBRARY_LINE_MAX 32u
 /* Size of the buffer for a file name in bytes. A longer file name is truncated. */
 #define LIBRARY_FILE_SIZE 64u
@@ -20,7 +20,7 @@
 
 struct library_line {
     char file[LIBRARY_FILE_SIZE]; /* Name of the file, without its folder. */
-    /* Number of the library slot that holds the species. LIBRARY_SLOT_NONE means that the file was
+    /* Index of the library slot that holds the species. LIBRARY_SLOT_NONE means that the file was
      * rejected. */
     uint8_t slot;
     /* Reason why the file was rejected. "" means that the file was accepted. */
@@ -29,7 +29,7 @@ struct library_line {
 
 /* Species library. An object of this type has about 2.1 MB and must be static. */
 struct library {
-    uint32_t species_count; /* Number of valid species, which are the first elements of `slots`. */
+    uint32_t species_count; /* Number of valid species. They are the first elements of `slots`. */
     uint32_t line_count;
     /* Number of files that were not read because the folder has more than LIBRARY_LINE_MAX
      * files. */
@@ -48,7 +48,7 @@ void library_fill(struct library *library, const char *data);
  * to the data folder. */
 void library_note_graph(struct library *library, const char *line);
 
-/* Returns the number of faults that the operator's screens show. */
+/* Returns the number of faults (rejected or unread files) that the operator's screens show. */
 uint32_t library_fault_count(const struct library *library);
 /* Returns fault number `index` for the operator's screens. The rejected species files come first,
  * then one entry with the number of unread files, then the rejected graphs. `index` must be below

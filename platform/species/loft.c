@@ -13,8 +13,8 @@
 #include "core/base/panic.h"
 
 #define RINGS_MAX 64
-/* Position of the additional ring that makes the rear end of the body round. 0 is the position of
- * the last ring, and 1 is the body's last point. */
+/* Position of the additional ring that makes the rear end of the body round. The position is a
+ * fraction of the way from the last ordinary ring (0) to the body's last point (1). */
 #define CAP_AT 0.6
 /* Ratio of the backward component to the outward component of the normals on the additional ring at
  * the rear end of the body. */
@@ -40,22 +40,22 @@ const v3d loft_snout = { 0.0, 0.0, -0.5 };
 /* This section computes the positions of the rings along the body.
  *
  * The rings have equal body coordinates in every key, and are closer to each other where the
- * outline of any key bends. Between two rings the outline is a straight line. Its deviation from
- * the curve is proportional to the curvature multiplied by the square of the ring distance. A
- * ring density proportional to the square root of the curvature therefore gives an equal
- * deviation everywhere. */
+ * outline of any key bends. Between two rings, the outline of the mesh is a straight line. The
+ * distance of this line from the smooth outline is proportional to the curvature multiplied by the
+ * square of the ring distance. A ring density proportional to the square root of the curvature
+ * therefore gives the same error everywhere. */
 
 #define RING_SAMPLES 256
-/* Fraction of the rings that are evenly spaced. Evenly spaced rings are needed because the swimming
- * wave bends the whole body. */
+/* Fraction of the rings that is spaced evenly, independent of the curvature. These rings are needed
+ * because the swimming wave bends the whole body. */
 #define EVEN_SHARE 0.30
 /* Factor by which rings are denser on the head, because viewers look mostly at the mouth, the eyes
  * and the gill cover. */
 #define HEAD_FAVOUR 1.9
 
-/* Writes three distances of a key's outlines at body coordinate `u` to `out`, as fractions of the
- * key's length. `out` receives the height of the back, the height of the belly, and the distance of
- * the flank from the middle. */
+/* Writes three values of a key's outlines at body coordinate `u` to `out`: the height of the back,
+ * the height of the belly, and the distance of the flank from the middle. The values are fractions
+ * of the key's length. */
 static void body_outline_at(const struct key_text *key, double u, double out[3])
 {
     const struct station s = shape_section(key, shape_body_x(key, u));
@@ -135,7 +135,7 @@ static double ramp(double from, double to, double x)
     return t * t * (3.0 - 2.0 * t);
 }
 
-/* Returns the index of the deformation curve that moves `part`. 0 is the curve of the whole
+/* Returns the index of the deformation curve that moves `part`. Index 0 is the curve of the whole
  * fish. */
 static uint8_t curve_of(const struct species_text *species, uint32_t part)
 {
@@ -162,9 +162,9 @@ static void skin_share(const struct species_text *species, double u, double v,
             share[curve] = (c->parts >> PART_HEAD & 1u ? 1.0 - trunk : 0.0) +
                            (c->parts >> PART_TRUNK & 1u ? trunk : 0.0);
             for (uint32_t i = 0; i < c->area_count; i++) {
-                /* Computes the weight of the point (u, v) in a painted area. The weight is 1 inside
-                 * the area, and falls to 0 at the distance `soft` outside the area's border. The
-                 * positions of areas refer to the first key. */
+                /* Computes the curve's weight at the point (u, v) from one of its painted areas.
+                 * The weight is 1 inside the area, and falls to 0 at the distance `soft` outside
+                 * the area's border. The positions of areas refer to the first key. */
                 const struct area *area = &c->areas[i];
                 const double from = (double)area->from, to = (double)area->to;
                 const double low = (double)area->low, high = (double)area->high;
@@ -263,11 +263,11 @@ struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part par
 }
 
 /* Adds two vertices that close the body's surface at the snout (`u` = 0) or at the body's last
- * point (`u` = 1). Both vertices have the same position, on the axis of the cross section. The
- * first vertex belongs to the right flank and the second vertex to the left flank. With a single
- * vertex for both flanks, the pattern coordinate v would jump at the belly. `normal` is the normal
- * of the right vertex, and its mirror image is the normal of the left vertex. Returns the index of
- * the right vertex. */
+ * point (`u` = 1). Both vertices have the same position, on the body's axis. The first vertex
+ * belongs to the right flank and the second vertex to the left flank. With a single vertex for both
+ * flanks, the pattern coordinate v would jump at the belly. `normal` is the normal of the right
+ * vertex, and its mirror image is the normal of the left vertex. Returns the index of the right
+ * vertex. */
 static uint32_t add_poles(struct lofting *l, double u, v3d normal)
 {
     for (int side = 1; side >= -1; side -= 2) {
@@ -345,9 +345,9 @@ void species_loft(const struct species_text *species, const struct detail *detai
     loft_add_eye(&l, 1);
     loft_add_fins(&l);
     paint_masks(&l);
-    /* Sets `reach`, the length that the largest packed coordinate represents. `reach` is 1, 2 or 4,
-     * and is chosen as small as possible for the best resolution. The value must not be smaller
-     * than `farthest`, the largest absolute coordinate of the mesh. */
+    /* Sets `reach` to 1, 2 or 4 body lengths, the length that the largest packed coordinate
+     * represents. A small `reach` gives a good resolution. `reach` must be at least `farthest`, the
+     * largest absolute coordinate of the mesh. */
     float farthest = 0.0f;
     for (uint32_t key = 0; key < species->card.key_count; key++) {
         for (uint32_t i = 0; i < loft->vertex_count; i++) {

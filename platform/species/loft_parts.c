@@ -11,17 +11,17 @@
 #include "core/base/panic.h"
 
 #define PI 3.14159265358979323846
-/* Position of the second row of the tail fin's vertices, as a fraction of the fin's visible length.
- * At this position the row is just behind the tail stalk. */
+/* Position of the second row of the tail fin's vertices, as a fraction of the fin's visible length
+ * from root to tip. This position is just behind the tail stalk. */
 #define TAIL_LEAVES 0.05
 /* Minimum number of vertex rows of a tail fin whose second row is placed at TAIL_LEAVES. With fewer
  * rows, the rows are evenly spaced, because all rows are needed to approximate the bend of the
  * fin. */
 #define TAIL_ROWS 4
 
-/* Adds the anchor of the fin's ray at position `at` of the fin's base. The anchor lies where the
- * ray leaves the skin. Returns the index of the anchor. Must not be called for the tail fin, whose
- * root has no body coordinates. */
+/* Adds the anchor of the ray at position `at` [0, 1] of the fin's base. The anchor lies where the
+ * ray leaves the skin. Returns the index of the anchor. Must not be called for the tail fin,
+ * because its root has no body coordinates. */
 static uint8_t add_root(struct lofting *l, enum species_part part, int side, double at)
 {
     struct species_anchor *anchor = loft_next_anchor(l, part, false);
@@ -83,8 +83,8 @@ static void add_fin(struct lofting *l, enum species_part part, int side)
         return;
     }
     for (uint32_t i = 0; i < across; i++) {
-        /* `at` is the position of column `i` along the fin, [0, 1]. The columns of the tail fin
-         * are closer to each other near the tips of its lobes, which are round. */
+        /* `at` is the position of column `i` (a ray) along the fin's base, [0, 1]. The columns of
+         * the tail fin are closer to each other near the tips of its lobes, which are round. */
         const double t = (double)i / (across - 1);
         const double at = part == PART_TAIL ? 0.5 - 0.5 * cos(PI * t) : t;
         const uint8_t anchor = part == PART_TAIL ? ANCHOR_NONE : add_root(l, part, side, at);
@@ -193,9 +193,9 @@ void loft_add_eye(struct lofting *l, uint32_t side)
     add_ball_vertex(l, side, 0.0, 0.0);
     for (uint32_t ring = 1; ring <= rings; ring++) {
         for (uint32_t spoke = 0; spoke < spokes; spoke++) {
-            /* Rings are counted from the pupil to the back of the ball. `shown` is the number of
-             * rings from the pupil to the rim, where the ball meets the skin. More than half of the
-             * rings are in this part. */
+            /* The rings are numbered from the pupil to the back of the ball. `shown` is the number
+             * of rings in the visible part, from the pupil to the rim (where the ball meets the
+             * skin). More than half of the rings are in the visible part. */
             const uint32_t shown = (rings + 2) / 2;
             add_ball_vertex(l, side,
                             ring <= shown ? EYE_RIM_RAD * ring / shown

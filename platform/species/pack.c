@@ -1,6 +1,6 @@
 /* pack.c -- serializes, parses, reads and writes species files (NAME.kfish), and converts a species
- * text to a species. The walk functions visit the fields of a species in one order, for reading and
- * for writing. */
+ * text to a species. The functions walk_*() visit the fields of a species in one order, both for
+ * reading and for writing. */
 #include "platform/species/pack.h"
 
 #include <errno.h>
@@ -19,7 +19,7 @@
 
 static const uint8_t magic[8] = { 'K', 'F', 'I', 'S', 'H', '\r', '\n', 0x1a };
 
-/* If a field is added to one of these structures, the walk functions must visit the field, and
+/* If a field is added to one of these structures, the functions walk_*() must visit the field, and
  * PACK_VERSION must increase. */
 _Static_assert(sizeof(struct species_card) == 2348 && sizeof(struct species_coat) == 280 &&
                    sizeof(struct species_mark) == 32 && sizeof(struct species_vertex) == 16 &&
@@ -27,7 +27,7 @@ _Static_assert(sizeof(struct species_card) == 2348 && sizeof(struct species_coat
                "all that a pack holds is walked");
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "a pack has the byte order of memory");
 
-/* Byte buffer with the current position and the direction: writing or reading fields. */
+/* Byte buffer to which fields are written, or from which fields are read. */
 struct tape {
     uint8_t *bytes;
     size_t size, at; /* Size of the buffer, and current position in the buffer, in bytes. After
@@ -53,9 +53,10 @@ static void transfer(struct tape *t, void *data, size_t size)
     t->at += size;
 }
 
-/* Copies a count between `data` and the buffer, and returns the count. If the count exceeds
- * `count_max`, the size of its table, returns 0. The first such count is recorded by its name
- * `what`. `width` is the size of the count in bytes, 1 or 4. */
+/* Copies a count of table entries between `data` and the buffer, and returns the count. If the
+ * count exceeds `count_max`, the size of its table, returns 0, and sets t->too_many to the name
+ * `what` of the count unless it is already set. `width` is the size of the count in bytes, 1 or
+ * 4. */
 static uint32_t transfer_count(struct tape *t, void *data, size_t width, uint32_t count_max,
                                const char *what)
 {
@@ -170,7 +171,7 @@ static uint32_t crc32(const uint8_t *bytes, size_t size)
 
 static bool check_head(const uint8_t *bytes, size_t size, char why[VALIDATE_WHY_SIZE])
 {
-    uint32_t head[3]; /* Version, size and CRC-32. */
+    uint32_t head[3]; /* The three values are the version, the size and the CRC-32. */
     if (size < HEAD_SIZE || memcmp(bytes, magic, sizeof magic) != 0) {
         return validate_refuse(why, "magic: the file is not a packed species");
     }
@@ -302,8 +303,8 @@ void pack_text(const struct species_text *text, struct species_slot *slot)
     for (uint32_t key = 0; key < key_count; key++) {
         struct species_coat *coat = &slot->species.coats[key];
         *coat = text->keys[key].coat;
-        /* A maker (a user who draws a species) writes the position of a mark along x. The paint
-         * functions read body coordinates, so the positions are converted here. */
+        /* In the species text, the positions of a mark are coordinates x of the drawing. The paint
+         * functions expect body coordinates u, so the loop converts the positions. */
         for (uint32_t i = 0; i < coat->mark_count; i++) {
             struct species_mark *mark = &coat->marks[i];
             if (mark->part == PART_BODY) {
@@ -320,8 +321,8 @@ void pack_text(const struct species_text *text, struct species_slot *slot)
 
 /* ---- Reading and writing of files ------------------------------------------------------------ */
 
-/* Reads a species file from its descriptor, which may be -1 with the reason in errno, and closes
- * the descriptor. */
+/* Reads a species file from its descriptor `handle` and closes the descriptor. If `handle` is -1,
+ * errno has the reason, and the result is PACK_IO. */
 static enum pack_result read_descriptor(int handle, struct species_slot *slot,
                                         char why[VALIDATE_WHY_SIZE])
 {

@@ -18,7 +18,7 @@
 #include "platform/species/validate.h"
 
 #define PACK_VERSION 1u
-/* Maximum file size. A species whose two meshes have the maximum size needs 222 KiB. */
+/* Maximum file size in bytes. A species whose two meshes have the maximum size needs 222 KiB. */
 #define PACK_SIZE_MAX (256u * 1024u)
 #define PACK_SUFFIX ".kfish"
 
@@ -31,14 +31,14 @@ struct species_slot {
 
 enum pack_result {
     PACK_OK = 0,
-    PACK_BAD = -1, /* The bytes are not a valid species. */
+    PACK_BAD = -1, /* The bytes of the file are not a valid species. */
     PACK_IO = -2,  /* The file cannot be read, cannot be written, or does not exist. */
 };
 
 /* Reads a species from `size` bytes and validates it. Returns PACK_OK on success. If the bytes are
  * not a valid species, returns PACK_BAD and writes "field: reason" to `why`. The content of `slot`
  * is then incomplete and must not be used. The bytes may come from an untrusted source.
- * PACK_SIZE_MAX limits the time and the memory. */
+ * PACK_SIZE_MAX limits the time and the memory that decoding needs. */
 enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_slot *slot,
                              char why[VALIDATE_WHY_SIZE]);
 

@@ -1,6 +1,6 @@
 /* part.c -- names the body parts, and finds the vertex that represents a body part. Each part has
- * reference coordinates (u, v). The vertex of the part that is nearest to these coordinates
- * represents the part. */
+ * reference coordinates (u, v). The part's vertex nearest to these coordinates represents the
+ * part. */
 #include "platform/species/part.h"
 
 #include <math.h>
@@ -37,9 +37,10 @@ enum species_part part_of_vertex(const char *name)
     return part;
 }
 
-/* Returns the distance of vertex `at` from the (u, v) coordinates of the point that represents
- * `part`, for example the pupil's centre for an eye (part_vertex_range()). For a paired part, the
- * distance of a vertex on the wrong side is greater than that of any vertex on the side `side`. */
+/* Returns the distance in (u, v) coordinates from the vertex `at` to the point that represents
+ * `part`, for example the pupil's centre for an eye (see part_vertex_range()). If the part is one
+ * of a pair and the vertex is not on the side `side`, adds 10, which is more than any distance on
+ * the same side. */
 static float part_point_distance(const struct species_vertex *at, enum species_part part,
                                  enum species_side side)
 {

@@ -11,8 +11,9 @@
 
 /* ---- Curves through drawn points ------------------------------------------------------------ */
 
-/* Returns the slope of the curve at point `i`. The method of Fritsch and Carlson chooses the slopes
- * so that the curve does not overshoot between the points. */
+/* Returns the slope, at point `i`, of a smooth curve through the `count` points (x, y). The method
+ * of Fritsch and Carlson chooses the slopes so that the curve does not overshoot between the
+ * points. */
 static double monotone_slope(const double *x, const double *y, uint32_t count, uint32_t i)
 {
     if (i == 0 || i == count - 1) {
@@ -138,9 +139,8 @@ v3d shape_body_normal(const struct key_text *key, double u, double v)
  * head's thickness at the eye. Without this limit, the ball could emerge on the opposite side of
  * the head. */
 #define DEPTH_MAX 0.9
-/* Minimum depth of the outer half and of the inner half of an eye's ball, and minimum of half of
- * the head's thickness at the eye. The unit is the drawing's unit. A flatter ball has no usable
- * normals. */
+/* Lower limit, in the drawing's units, for the depth of the two halves of an eye's ball and for
+ * half of the head's thickness at the eye. A flatter ball has no usable normals. */
 #define THINNEST 1e-3
 
 struct ball shape_eye_ball(const struct key_text *key, uint32_t side)
@@ -163,8 +163,8 @@ struct ball shape_eye_ball(const struct key_text *key, uint32_t side)
               n = shape_body_normal(key, ball.u, ball.v);
     const v3d axis = { 0.0, (double)s.offset, skin.z };
     const double half = fmax(v3d_dot(v3d_sub(skin, axis), n), THINNEST);
-    /* `drop` is the mean distance between the plane that touches the skin at the eye's centre and
-     * the skin under the ball's rim. The result is at most DROP_MAX times the ball's
+    /* Computes `drop`: how far the skin under the rim of the eye's ball lies, on average, below the
+     * tangent plane of the skin at the eye's centre. `drop` is at most DROP_MAX times the ball's
      * radius. */
     const double d = 1e-3;
     const v3d along = v3d_sub(shape_body_point(key, ball.u + d, ball.v), skin);
@@ -203,10 +203,9 @@ double shape_unit_length(const struct key_text *key, enum species_measure measur
     const bool tail = key->fins[PART_TAIL].ray_count > 0;
     double length = measure == MEASURE_DISC ? 0.0 : 1.0;
     if (measure == MEASURE_DISC) {
-        /* MEASURE_DISC is the width of the disc, which is the flat body of a ray. The disc's width
-         * is the greatest width of the body. The loop examines only the stations (the cross
-         * sections that the species text defines), because the interpolated width between two
-         * stations never exceeds the width of the wider station. */
+        /* MEASURE_DISC is the greatest width of the flat body of a ray. The loop examines only the
+         * stations (the cross sections that the species text defines), because the interpolated
+         * width between two stations never exceeds the width of the wider station. */
         for (uint32_t i = 0; i < key->substep_count; i++) {
             length = fmax(length, (double)key->stations[i].width);
         }

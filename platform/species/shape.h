@@ -50,12 +50,14 @@ static inline v3d v3d_unit(v3d a)
                           : (v3d){ 0.0, 1.0, 0.0 };
 }
 
-/* Maximum number of floats in a structure that shape_interpolate() interpolates. */
+/* Maximum value of `width` in shape_interpolate(): the number of floats in one of the interpolated
+ * structures. */
 #define SHAPE_FIELD_MAX 5
-/* Interpolates `count` structures at `rows`, each of which consists of `width` floats, and writes
- * the result to `out`. The first float of a structure is its position, and the positions increase.
- * The curve of each other float is smooth and never overshoots (method of Fritsch and Carlson).
- * Before the first position and after the last position, the curves are constant.
+/* Interpolates between the `count` structures at `rows`, and writes the structure at the position
+ * `at` to `out`. Each structure consists of `width` floats. The first float is the structure's
+ * position, and the positions increase. The curve of each other float is smooth and never
+ * overshoots (method of Fritsch and Carlson). Before the first position and after the last
+ * position, the curves are constant.
  *
  * If `is_round` is true, the interpolation uses the square root of the positions. An outline that
  * starts with size 0 is then round like a ball. Otherwise the outline would be pointed like a
@@ -81,8 +83,8 @@ v3d shape_body_point(const struct key_text *key, double u, double v);
 /* Returns the normal of the body's surface at (u, v), with the ranges of shape_body_point(). */
 v3d shape_body_normal(const struct key_text *key, double u, double v);
 
-/* Angle in rad at the centre of an eye's ball, between the pupil and the rim, where the ball meets
- * the skin. The value is 80 degrees. */
+/* Angle in rad (80 degrees), seen from the centre of an eye's ball, between the centre of the pupil
+ * and the rim. At the rim the ball meets the skin. */
 #define EYE_RIM_RAD 1.4
 
 /* The ball of an eye at (u, v) on the skin. The ball consists of two halves of ellipsoids with
@@ -113,8 +115,9 @@ v3d shape_fin_normal(const struct key_text *key, enum species_part part, double 
 /* Length of a finlet's base, as a fraction of the distance from one finlet to the next. */
 #define FINLET_BASE 0.6
 
-/* Returns a corner of a finlet. The finlet starts at position `at` [0, 1] of its row. Corner 0 is
- * the front end of the base, 1 the rear end of the base, and 2 the tip. */
+/* Returns a corner of a finlet, whose base starts at position `at` [0, 1] of its row. `row` is 0
+ * for the upper row and 1 for the lower row. `corner` is 0 for the front end of the base, 1 for the
+ * rear end of the base, and 2 for the tip. */
 v3d shape_finlet_point(const struct key_text *key, uint32_t row, double at, uint32_t corner);
 
 /* Returns the fish's length in the drawing's units, as the length measure `measure` defines it. The

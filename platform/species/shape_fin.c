@@ -31,8 +31,9 @@
 /* Sideways angle of an unpaired fin's ray at its root, as a fraction of the sideways angle at the
  * tip of the ray. */
 #define SIDE_AT_ROOT 0.4
-/* Minimum distance from the middle of the tail stalk to the upper and to the lower end of the tail
- * fin's base, as a fraction of the maximum distance. */
+/* Minimum distance from the middle of the tail stalk to the upper end, and to the lower end, of the
+ * tail fin's base. The value is a fraction of the maximum distance, which the height of the stalk
+ * determines. */
 #define THINNEST 0.2
 #define RAY_STEPS 12
 /* Number of steps in the search for the point at which a ray leaves the body. */
@@ -46,8 +47,8 @@
 /* Position along the base of an eel's dorsal or anal fin, [0, 1]. Behind this position, the fin
  * merges with the tail fin. */
 #define JOIN_FROM 0.8
-/* Minimum distance of a visible fin point from the body's axis, as a multiple of the distance of
- * the skin from the body's axis. */
+/* Minimum distance of a visible fin point from the body's axis. The unit is the distance of the
+ * skin from the axis in the same direction. */
 #define CLEAR_OF 1.02
 
 static double stalk_depth(const struct key_text *key)
@@ -60,8 +61,9 @@ double shape_body_end(const struct key_text *key)
     return 1.0 + fmin(END_MAX, END_SHARE * stalk_depth(key));
 }
 
-/* Returns the size of the cross section in the body's round end at position `t`, as a fraction of
- * its size at the tail root. `t` is 0 at the tail root and 1 at the body's last point. */
+/* Returns the size of the cross section at position `t` of the body's round end, as a fraction of
+ * the size of the cross section at the tail root. `t` is 0 at the tail root and 1 at the body's
+ * last point. */
 static double closing(double t)
 {
     return sqrt(fmax(1.0 - t * t, 0.0));
@@ -198,8 +200,8 @@ static double skin_distance_ratio(const struct key_text *key, v3d p)
     return pow(pow(x, e) + pow(y, e), 1.0 / e);
 }
 
-/* Returns the root of a ray (along = 0) or a point of the ray's visible part (along > 0). The
- * merging of an eel's dorsal and anal fins with the tail fin is not applied. */
+/* Returns the root of a ray (along = 0) or a point of the ray's visible part (along > 0), as if the
+ * fin were separate. shape_fin_point() merges an eel's dorsal and anal fins with the tail fin. */
 static v3d own_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     if (along <= 0.0) {
@@ -233,8 +235,8 @@ v3d shape_fin_point(const struct key_text *key, enum species_part part, double a
     const v3d own = own_point(key, part, at, along);
     const bool is_seam = key->confluent && (part == PART_DORSAL || part == PART_ANAL);
     const double t = is_seam ? fmax((at - JOIN_FROM) / (1.0 - JOIN_FROM), 0.0) : 0.0;
-    /* `share` is the weight of the tail fin at this point of an eel's dorsal or anal fin. 0 means
-     * that the fin has not merged with the tail fin at position `at`. */
+    /* `share` is the weight with which an eel's dorsal or anal fin takes the shape of the tail fin
+     * at position `at`. 0 means that the two fins are separate at this position. */
     const double share = t * t * (3.0 - 2.0 * t);
     if (share <= 0.0) {
         return own;

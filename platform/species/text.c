@@ -24,8 +24,8 @@
  * error in the drawing. */
 #define UNIT_MIN 0.2
 #define EEL_SEAM (1u << PART_TAIL | 1u << PART_DORSAL | 1u << PART_ANAL)
-/* Maximum relative difference between a key's length and the length on the growth curve at the
- * key's age. */
+/* Maximum relative difference between the length of a key (modelled growth stage) and the length
+ * that the growth curve gives at the key's age. */
 #define LENGTH_APART 0.02f
 
 bool species_reader_error(const struct species_reader *r, const char *format, ...)
@@ -267,7 +267,8 @@ static bool check_curves(struct species_reader *r)
         if (i > 0 && r->species->curves[i].parts == 0 && r->species->curves[i].area_count == 0) {
             return species_reader_error(r, "curve %s moves no part and no area", name);
         }
-        /* A graph with the text line `line solved` must have a solution (graph_solve()). */
+        /* If the species text has the line `line solved` for this graph, graph_solve() must find a
+         * solution for its weights. */
         float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
         uint32_t stuck = 0;
         if (graph->solved && !graph_solve(graph, card->key_count, solution, &stuck)) {
@@ -318,8 +319,8 @@ static bool check_species(struct species_reader *r)
         }
     }
     if (!r->has_thesis) {
-        /* Without a `thesis` line in the species text, the three keys of the 2005 thesis have the
-         * following defaults. */
+        /* If the species text has no `thesis` line, the blend of the 2005 thesis uses the first,
+         * the middle and the last key, and the pairwise template. */
         card->thesis_key[1] = (uint8_t)(card->key_count / 2u);
         card->thesis_key[2] = (uint8_t)(card->key_count - 1u);
         card->thesis_template = TEMPLATE_PAIRWISE;

@@ -10,8 +10,8 @@
 #define TEXT_LINE_SIZE 256
 #define TEXT_WORD_MAX 24
 /* Minimum width and height of a cross section behind the snout, as a fraction of the distance from
- * the snout to the tail root. A thinner body has no usable flank. For comparison, the fraction
- * is about 0.01 for a leptocephalus larva that is 64 mm long and 0.6 mm wide. */
+ * the snout to the tail root. A thinner body has no usable flank. For comparison, a leptocephalus
+ * larva (64 mm long, 0.6 mm wide) has a width of about 0.01. */
 #define THIN_MIN 0.002f
 
 struct species_reader {
@@ -43,8 +43,8 @@ struct line_word {
 };
 
 /* Keywords of a whole species and of its deformation graphs (text_life.c), and keywords of a key
- * (text_key.c). The last entry of each table has a null word. The lines of text_key_words, except
- * `key`, are valid only below a `key` line. */
+ * (text_key.c). The last entry of each table has a null word. The lines that begin with a keyword
+ * of text_key_words, except `key`, are valid only below a `key` line. */
 extern const struct line_word text_life_words[], text_key_words[];
 
 /* Writes the error message 'PATH:LINE: what' and returns false. `format` and the arguments produce
@@ -60,8 +60,8 @@ struct range {
     float low, high;
 };
 
-/* Parses the words from `index` on as `count` numbers, each within its own range, and copies the
- * numbers to `out`, an array or a structure of floats. Leaves `out` unchanged on an error. */
+/* Parses `count` words, beginning with word `index`, as numbers, each within its own range. Copies
+ * the numbers to `out`, an array or a structure of floats. Leaves `out` unchanged on an error. */
 bool species_reader_numbers(const struct species_reader *r, uint32_t index,
                             const struct range *ranges, uint32_t count, void *out);
 

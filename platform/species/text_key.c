@@ -208,8 +208,8 @@ static const char *const kinds[MARK_COUNT] = {
     [MARK_ROWS] = "rows",   [MARK_MOUTH] = "mouth", [MARK_GILL] = "gill",
 };
 
-/* Default values of the settings of each kind of mark. For a gill mark, `to` is the rear edge of
- * the key's gill cover if the text has a `gill` line. */
+/* Default settings of each kind of mark. If the species text has a `gill` line, the default of `to`
+ * of a gill mark is replaced by the position on that line. */
 static const struct species_mark defaults[MARK_COUNT] = {
     [MARK_SPOTS] = { .count = 24, .seed = 1, .to = 1, .high = 1, .width = 0.02f },
     [MARK_BANDS] = { .count = 5, .seed = 1, .to = 1, .high = 1, .width = 0.04f },
@@ -258,8 +258,9 @@ static bool read_setting(const struct species_reader *r, uint32_t index, struct 
     return true;
 }
 
-/* Parses the body part on which a mark lies and stores it in m->part. A mark of kind `side` lies on
- * one side of the body. For such a mark, parses the side and stores it in m->count. */
+/* Parses the body part on which a mark lies, and stores the part in m->part. For a mark of kind
+ * `side`, which covers one side of the body, parses the side instead and stores the side in
+ * m->count. */
 static bool read_bearer(const struct species_reader *r, struct species_mark *m)
 {
     static const char *const sides[] = { [SIDE_RIGHT] = "right", [SIDE_LEFT] = "left" };

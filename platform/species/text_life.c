@@ -97,7 +97,8 @@ static bool read_point(struct species_reader *r)
 }
 
 /* Parses the line `scale PROGRESS MM`, which gives a length in mm at a progress through life [0,
- * 1]. The `scale` lines of a species replace its growth curve. */
+ * 1]. If a species has `scale` lines, they determine the length over its life instead of the growth
+ * curve. */
 static bool read_scale(struct species_reader *r)
 {
     static const struct range ranges[] = { { 0.0f, 1.0f }, { 0.5f, 20000.0f } };
@@ -129,8 +130,9 @@ static bool key_named(const struct species_reader *r, uint32_t index, uint8_t *o
     return species_reader_error(r, "no key above has the name '%.40s'", r->words[index]);
 }
 
-/* Parses the line `thesis KEY KEY KEY TEMPLATE`, which names the three keys and the template that
- * the 2005 thesis, chapter 4, blends for this species. */
+/* Parses the line `thesis KEY KEY KEY TEMPLATE`, which names three keys and a template (a
+ * ready-made deformation graph). They are the input of the blending method of the 2005 thesis,
+ * chapter 4. */
 static bool read_thesis(struct species_reader *r)
 {
     static const char *const templates[] = {
@@ -214,8 +216,8 @@ static bool read_area(struct species_reader *r)
             species_reader_error(r, "the area ends before it starts"));
 }
 
-/* Checks that all keys (modelled growth stages) have been defined before the first morph graph.
- * Each knot (support point) of a graph has one weight for each key. */
+/* Checks that the species has its keys (modelled growth stages) before its first deformation graph.
+ * The keys are needed because each knot (support point) of a graph has one weight for each key. */
 static bool are_keys_complete(const struct species_reader *r)
 {
     return r->species->card.key_count >= 3 ||

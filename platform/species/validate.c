@@ -13,10 +13,11 @@
  * third of this size is certainly an error. */
 #define LENGTH_MIN_M 0.0005f
 #define LENGTH_MAX_M 20.0f /* Maximum length of a key in metres. A whale shark is 20 m long. */
-/* Maximum relative difference between a key's length and the length on the growth curve at the
- * key's age. */
+/* Maximum relative difference between the length of a key (modelled growth stage) and the length
+ * that the growth curve gives at the key's age. */
 #define LENGTH_APART 0.02f
-#define WHAT_SIZE 64u /* Size in bytes of the name of a value in a reason. */
+/* Size in bytes of the buffer for the name of a value, which begins the reason for a rejection. */
+#define WHAT_SIZE 64u
 
 bool validate_refuse(char why[VALIDATE_WHY_SIZE], const char *format, ...)
 {
@@ -32,7 +33,7 @@ bool validate_number(char why[VALIDATE_WHY_SIZE], float x, float low, float high
 {
     char what[WHAT_SIZE];
     va_list values;
-    if (x >= low && x <= high) { /* Both comparisons are false for NaN. */
+    if (x >= low && x <= high) { /* If x is NaN, both comparisons are false. */
         return true;
     }
     va_start(values, format);
@@ -55,7 +56,7 @@ bool species_name_is_good(const char text[SPECIES_NAME_SIZE])
 }
 
 /* Validates the name `text`. If the name is invalid, writes the reason to `why` and returns false.
- * In the reason the name is called "ITEM INDEX/name". */
+ * The reason begins with "ITEM INDEX/name", where ITEM is `item` and INDEX is `index`. */
 static bool validate_name(char why[VALIDATE_WHY_SIZE], const char *item, uint32_t index,
                           const char text[SPECIES_NAME_SIZE])
 {

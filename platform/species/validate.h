@@ -33,7 +33,7 @@ bool species_name_is_good(const char name[SPECIES_NAME_SIZE]);
 __attribute__((format(printf, 2, 3))) bool validate_refuse(char why[VALIDATE_WHY_SIZE],
                                                            const char *format, ...);
 
-/* Writes the reason as validate_refuse() does, and evaluates to `result`. */
+/* Writes the reason as validate_refuse() does. The value of the expression is `result`. */
 #define validate_fail(result, ...) (validate_refuse(__VA_ARGS__), (result))
 
 /* Returns true if `low` <= x <= `high`. If x is outside this range or NaN, writes the reason to
@@ -44,7 +44,8 @@ __attribute__((format(printf, 5, 6))) bool validate_number(char why[VALIDATE_WHY
                                                            const char *format, ...);
 
 /* Returns true if the integer `x`, 0 to 255, is less than `count`. Otherwise writes the reason to
- * `why` and returns false. A format and its arguments follow, as for validate_number(). */
+ * `why` and returns false. The remaining arguments are a format and its arguments, as for
+ * validate_number(). */
 #define validate_choice(why, x, count, ...)                                                        \
     validate_number(why, (float)(x), 0.0f, (float)((count) - 1u), __VA_ARGS__)
 

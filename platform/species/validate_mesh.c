@@ -6,10 +6,9 @@
 
 #include "core/morph/morph.h"
 
-/* Maximum deviation of a mesh's length from the required length of 1. The tolerance is needed for
- * the far mesh, which has fewer vertices than the near mesh. The tail fin of the far mesh has few
- * rays, so that the drawing's rearmost fin tip may lie between two rays and may be missing in the
- * mesh. */
+/* Maximum deviation of a mesh's length from the required length of 1. The far mesh (the mesh with
+ * few vertices) needs this tolerance: its tail fin has few rays, so that the drawing's rearmost fin
+ * tip may lie between two rays and may be missing in the mesh. */
 #define SIZE_TOLERANCE 0.04f
 /* U_MIN and U_MAX are the minimum and maximum permitted body coordinates u and v of a vertex. The
  * range contains the coordinates of every surface. On an eye's ball, u is larger than 1 behind the
@@ -85,8 +84,9 @@ static bool validate_triangles(const struct species_mesh *mesh, const char *lod,
     return true;
 }
 
-/* Checks the grid of vertices to which anchors refer. u must increase from ring to ring, and v must
- * increase from 0 to 1 from spoke to spoke. No vertex of the grid may have an anchor. */
+/* Checks the grid of body vertices to which anchors refer. From ring to ring, the coordinate u must
+ * increase. Round each ring, from spoke to spoke, the coordinate v must increase from 0 to 1. No
+ * vertex of the grid may have an anchor. */
 static bool validate_grid(const struct species_mesh *mesh, const char *lod,
                           char why[VALIDATE_WHY_SIZE])
 {
@@ -148,8 +148,8 @@ static bool validate_size(const struct species_mesh *mesh, const vec3 *positions
         right = fmaxf(right, p.x);
         end = mesh->vertices[i].part == PART_BODY ? fmaxf(end, p.z) : end;
     }
-    /* MEASURE_STANDARD ends at the tail root. MEASURE_FORK ends at the fork of the tail fin,
-     * slightly behind the tail root. */
+    /* MEASURE_STANDARD is the length from the snout to the tail root. MEASURE_FORK is the length to
+     * the fork of the tail fin, slightly behind the tail root. `to_root` is true for both. */
     const bool to_root = measure != MEASURE_TOTAL && measure != MEASURE_DISC;
     const float size = measure == MEASURE_DISC ? right - left : (to_root ? end : rear) - FRONT_Z;
     return validate_number(why, front, FRONT_Z - SIZE_TOLERANCE, FRONT_Z + SIZE_TOLERANCE,
