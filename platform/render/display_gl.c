@@ -17,8 +17,8 @@
  * microseconds. */
 #define LOOK_NS 1000000000ull
 #define LOOKS 2u
-/* Number of frames that are drawn before a capture of the growth lab or the album. In these frames,
- * the fish are painted at full resolution. */
+/* Number of frames that are drawn before the growth lab or the album is captured as a picture.
+ * During these frames, the renderer finishes painting the fish at full resolution. */
 #define PAINT_DRAWS 20u
 
 static int display_gl_fail(struct display_gl *display, const char *what, const char *why)
@@ -145,9 +145,9 @@ static int report_to_governor(struct display_gl *display, const struct scene *sc
 {
     const uint32_t looks = atomic_load(&display->thermal.looks);
     if (!display->is_governed || display->renderer.transform.light <= 0.0f) {
-        return HAL_OK; /* During the configured night hours, the picture is black and costs nothing
-                          to draw. The frame time of a black picture would mislead the quality
-                          governor. */
+        /* The picture is black during the configured night hours. A black picture costs nothing to
+         * draw, so its frame time would mislead the quality governor. */
+        return HAL_OK;
     }
     if (looks != display->heat_looks) {
         display->heat_looks = looks;
@@ -178,8 +178,9 @@ static int display_open(void *self)
     display->looked_ns = display_gl_now_ns();
     display->changed_looks = 0;
     if (display->is_bare && display->plugged.count > 0 && display->plugged.connected == 0) {
-        display->lost = true; /* SDL is not initialized, because SDL takes long to detect that no
-                                 screen is connected. */
+        /* The function returns before it initializes SDL, because SDL takes long to detect that no
+         * screen is connected. */
+        display->lost = true;
         return display_gl_fail(display, "screen",
                                "no screen is connected; the kiosk checks once a second");
     }
@@ -196,9 +197,9 @@ static int display_open(void *self)
     const char *driver = SDL_GetCurrentVideoDriver();
     display->is_bare = driver && strcasecmp(driver, "kmsdrm") == 0;
     renderer_describe(&display->renderer, display->text, sizeof display->text);
-    /* The quality governor does not run in two cases. Off-screen pictures must be identical on
-     * every machine. If the configuration sets the scene scale or the samples, these values must
-     * not change. */
+    /* The quality governor does not run in two cases: for off-screen pictures, which must be
+     * identical on every machine, and if the configuration sets the scene scale or the samples,
+     * because these values must not change. */
     const struct display_gl_config *const config = &display->config;
     SDL_DisplayMode mode = { 0 };
     display->is_governed =
@@ -212,8 +213,8 @@ static int display_open(void *self)
     return HAL_OK;
 }
 
-/* Closes the display if the set of connectors with a screen has changed. Otherwise a frame could
- * block on an absent screen. The change must persist in LOOKS consecutive reads, because the
+/* Closes the display if the set of connectors with a screen has changed, because drawing on an
+ * absent screen could block. The change must persist in LOOKS consecutive reads, because the
  * contacts of a plug close and open several times while the plug is pushed in. */
 static void watch_plugs(struct display_gl *display)
 {
@@ -259,8 +260,9 @@ static int display_poll(void *self, struct display_events *out)
     }
     const struct display_transform *const drawn = &display->renderer.transform;
     out->upright = drawn->width < POINTER_UPRIGHT_ASPECT * drawn->height;
-    out->lost = display->broken; /* SDL_PumpEvents() may have detected that the connection to the X
-                                    server broke. */
+    /* `broken` is read after SDL_PumpEvents(), because this call may detect that the connection to
+     * the X server broke. */
+    out->lost = display->broken;
     return display->lost ? HAL_ERR_GONE : HAL_OK;
 }
 

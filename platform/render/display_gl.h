@@ -16,7 +16,7 @@
 #include "platform/render/renderer.h"
 #include "platform/thermal.h"
 
-/* Configuration of the display. A field that is zero has its default value. */
+/* Configuration of the display. Zero means the default value of a field. */
 struct display_gl_config {
     /* Window size in points. 0 means 1280x720, or the whole screen if `full_screen` is true. */
     uint32_t width, height;
@@ -25,14 +25,16 @@ struct display_gl_config {
     /* True to draw only when a picture is captured. Used together with `off_screen`. */
     bool on_demand;
     const char *title; /* Window title. Null means "Kingyo". */
-    /* Ratio of scene pixels to screen pixels along each axis, [0.25, 2]. 0 means that the renderer
-     * chooses the ratio (quality.h). */
+    /* Width of the underwater scene's picture in pixels, divided by the width of the screen in
+     * pixels, [0.25, 2]. The same ratio applies to the height. 0 means that the renderer chooses
+     * the ratio (quality.h). */
     float scene_scale;
     /* Number of multisampling samples. 0 means that the renderer chooses the number. */
     uint32_t samples;
-    /* Library of the makers' species, as in struct renderer_config. Null means no library. */
+    /* Library of the species that users have drawn, as in struct renderer_config. Null means no
+     * library. */
     const struct library *library;
-    /* Directory in which the kernel lists the connectors. Null means /sys/class/drm. */
+    /* Directory in which the kernel lists the display connectors. Null means /sys/class/drm. */
     const char *sockets;
 };
 
@@ -44,7 +46,8 @@ struct display_gl {
     /* Last scene shown. capture() draws the scene again because a buffer swap destroys the back
      * buffer. */
     struct scene shown;
-    /* Display geometry. The settings stay valid when a lost screen is replaced. */
+    /* Rotation, margins and brightness of the picture. These settings are kept when a lost screen
+     * is replaced. */
     struct display_settings display_settings;
     bool has_shown, full_screen, is_placed;
     /* True after the screen was lost. The display then shows nothing until open() restarts the
@@ -63,19 +66,21 @@ struct display_gl {
     void *on_lost_context;
     struct governor governor;
     struct thermal thermal;
-    /* Value of the counter `looks` of the thermal thread at the last update of the governor. */
+    /* Value of the counter `thermal.looks` (number of temperature measurements) when the governor
+     * last received a temperature. */
     uint32_t heat_looks;
-    /* True while the quality governor (governor.h) chooses the picture's quality. */
+    /* True while the quality governor (quality.h) chooses the picture's quality. */
     bool is_governed;
     char text[HAL_TEXT_SIZE];
 };
 
 struct hal_display display_gl_device(struct display_gl *display);
 
-/* Registers `hook`, which is called when the connection to the X server breaks. A null `hook` means
- * that no function is called. The call comes from inside the SDL or OpenGL function that detected
- * the break. Without screen_guard_x11(), Xlib would end the process in that function. The next
- * poll() also reports `lost`. After the break, this process cannot connect to the X server again.
+/* Registers `hook`, which is called with `context` when the connection to the X server breaks. A
+ * null `hook` means that no function is called. The call comes from inside the SDL or OpenGL
+ * function that detected the break. Without this module's error handler (screen_guard_x11()), Xlib
+ * would end the process there. The next poll() also reports `lost`. After the break, this process
+ * cannot connect to the X server again.
  *
  * In contrast, an unplugged screen or a reset of the graphics driver causes HAL_ERR_GONE. A later
  * open() succeeds when the screen is available again. */

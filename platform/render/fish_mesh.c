@@ -9,9 +9,11 @@
 #include "platform/render/paint_atlas.h"
 
 #define KEY_SIZE sizeof(struct species_point)
-/* Size in bytes of the vertex attribute with u, v, body part and flexibility. */
+/* Size in bytes of the vertex attribute with the surface coordinates u and v, the body part and the
+ * flexibility of the vertex. */
 #define SURFACE_SIZE 4u
-/* Size in bytes of the vertex attribute with the anchor, the side, and two bytes of padding. */
+/* Size in bytes of the vertex attribute with the anchor (the point of the skin to which the vertex
+ * is attached), the side of the body, and two bytes of padding. */
 #define RIDES_SIZE 4u
 /* Size in bytes of the vertex attribute with the paint coordinates, which are two 16-bit
  * fractions. */
@@ -79,8 +81,9 @@ void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
     glBindBuffer(GL_ARRAY_BUFFER, mesh->vertex_buffer);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(source->vertex_count * stride), memory->vertices,
                  GL_STATIC_DRAW);
-    /* If the species has fewer key shapes (modelled growth stages) than the shader has attributes,
-     * the shader reads a disabled attribute as a constant, which has the weight 0 in the blend. */
+    /* A species may have fewer key shapes (modelled growth stages) than the shader has attributes.
+     * The loop disables the remaining attributes. The shader reads a disabled attribute as a
+     * constant, and gives it the weight 0. */
     for (uint32_t key = key_count; key < MORPH_KEY_MAX; key++) {
         glDisableVertexAttribArray(key);
     }
@@ -142,8 +145,8 @@ uint32_t fish_poses_pack(float out[][4], const struct morph_pose *pose, uint32_t
 }
 
 /* Returns the value of the macro ANCHORS for morph.glsl. 0 means that no vertex has an anchor. 1
- * means that the anchors keep the orientation of the body's axes. 2 means that at least one anchor
- * rotates. */
+ * means that vertices have anchors and that no anchor rotates with the skin. 2 means that at least
+ * one anchor rotates. */
 static uint32_t riding(const struct species_mesh *mesh, bool fins)
 {
     uint32_t most = 0;

@@ -28,8 +28,8 @@ enum fish_attribute {
  * shapes, then the surface, mask, anchor and paint bytes. */
 #define FISH_VERTEX_SIZE_MAX (MORPH_KEY_MAX * sizeof(struct species_point) + 16u)
 
-/* One level of detail of a fish. The index buffer holds the indices of the body and the eyes first,
- * then the indices of the fins. */
+/* Mesh of one level of detail of a fish. The index buffer has the indices of the body and the eyes
+ * first, then the indices of the fins. */
 struct fish_mesh {
     GLuint vertex_array, vertex_buffer, index_buffer;
     GLsizei body_index_count, fin_index_count;
@@ -47,8 +47,8 @@ struct fish_mesh_memory {
 
 /* Creates the OpenGL objects of an empty mesh. */
 void fish_mesh_reserve(struct fish_mesh *mesh);
-/* Packs the shape `source` with `key_count` key shapes in `memory` and uploads it. May be called
- * again with another shape. */
+/* Packs the mesh `source` with `key_count` key shapes in `memory`, and uploads the packed mesh. May
+ * be called again with another mesh. */
 void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
                     const struct species_mesh *source, uint32_t key_count);
 void fish_mesh_close(struct fish_mesh *mesh);
@@ -59,8 +59,8 @@ void fish_mesh_draw(const struct fish_mesh *mesh, bool fins, GLsizei instance_co
 
 /* ---- Poses: one texture row for each fish ---------------------------------------------------
  *
- * A row is uploaded again only if the fish has grown. Otherwise the row costs one comparison in
- * each frame. */
+ * The pose of a fish depends only on its progress through life. A row is therefore uploaded again
+ * only if the fish has grown. Otherwise the row costs one comparison in each frame. */
 
 /* Maximum number of texels of one pose. A texel holds four floats. */
 #define POSE_TEXELS_MAX (2u * MORPH_CURVE_MAX + 2u * ANCHOR_MAX)
@@ -87,7 +87,8 @@ struct fish_poses {
     /* Progress through life that each texture row shows, [0, 1]. A negative value means that the
      * row has not been written yet. */
     float progress[SCENE_FISH_MAX];
-    /* First row and number of rows in `run` that have not been uploaded yet. */
+    /* First row (`run_first`) and number (`run_count`) of the rows in `run`, which have not been
+     * uploaded yet. */
     uint32_t run_first, run_count;
     float run[POSE_RUN * POSE_TEXELS_MAX][4];
     struct morph_pose pose;

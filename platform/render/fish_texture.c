@@ -6,10 +6,11 @@
 
 #include "core/base/panic.h"
 
-/* Minimum number of rows of a dot mark whose dots are drawn as fish scales. */
+/* Minimum number of dot rows in a mark of kind MARK_ROWS from which the dots stand for fish
+ * scales. */
 #define SCALE_ROWS_MIN 6u
-/* Minimum number of bands of a mark round the body from which the shader draws the bands as lines.
- * So many bands are too fine for a painted sheet. */
+/* Minimum number of bands round the body in a mark of kind MARK_BANDS from which the shader draws
+ * the bands as lines, because so many bands are too fine for a painted sheet. */
 #define LINES_MIN 40u
 
 static GLuint make_sheet_array(struct gl_status *status, GLenum internal_format)
@@ -55,10 +56,10 @@ void fish_texture_bind(struct fish_texture *skin, const struct species *species)
     skin->shown = skin->shown_px = 0.0f;
     memset(skin->bands_done, 0, sizeof skin->bands_done);
     memset(skin->is_coarse, 0, sizeof skin->is_coarse);
-    /* Removes the marks that the shader draws from the marks to paint. The first kind is lines
-     * round the body, whose copies are stored in skin->lined. The second kind is dots that stand
-     * for fish scales, if the shader draws the scales with rims. A removed mark keeps its place in
-     * the array, because marks of two key shapes correspond to each other by their index. */
+    /* The loop removes the marks that the shader draws from the marks to paint. These marks are
+     * lines round the body, whose copies are stored in skin->lined, and dots that stand for fish
+     * scales if the shader draws scales. A removed mark keeps its place in the array, because the
+     * marks of two key shapes correspond to each other by their index. */
     const bool has_scales = fish_texture_scales(skin) > 0.0f;
     for (uint32_t key = 0; key <= steps; key++) {
         struct species_coat *const coat = &skin->species.coats[key];
@@ -112,8 +113,8 @@ void fish_texture_request(struct fish_texture *skin, struct paint_brush *brush,
     CORE_ASSERT(length_px >= 0.0f && skin->sheet_count > 0);
     float mean = 0.0f, sum = 0.0f;
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
-        const float weight = f_max(weights[key], 0.0f); /* Negative weights are clamped to 0, as in
-                                                           paint_at(). */
+        /* A negative weight counts as 0, as in paint_at(). */
+        const float weight = f_max(weights[key], 0.0f);
         mean += weight * (float)(key * skin->per_key);
         sum += weight;
     }
@@ -141,8 +142,8 @@ void fish_texture_request(struct fish_texture *skin, struct paint_brush *brush,
     out[2] = at - (float)first;
 }
 
-/* Returns the unfinished sheet whose number is nearest to the visible sheet, or sheet_count if all
- * sheets are finished. */
+/* Returns the number of the unfinished sheet that is nearest to the visible sheet, or sheet_count
+ * if all sheets are finished. */
 static uint32_t next_sheet(const struct fish_texture *skin)
 {
     uint32_t best = skin->sheet_count;
@@ -186,10 +187,10 @@ bool fish_texture_is_fine(const struct fish_texture *skin)
     return sheet == skin->sheet_count || f_abs((float)sheet - skin->shown) >= 1.0f;
 }
 
-/* Writes the line sets of the two keys with the largest weights. The opacity of each line set is
- * its key's weight divided by the sum of all weights. paint_at() fades marks that exist in only one
- * key in the same way. Two neighbouring keys of a larva have different numbers of muscles, so that
- * their lines cannot be interpolated. */
+/* Writes the line sets of the two keys with the largest weights. The opacity of a line set is its
+ * key's weight divided by the sum of all weights, as for a painted mark that exists in only one key
+ * (paint_at()). The lines themselves cannot be interpolated, because two neighbouring keys of a
+ * larva have different numbers of lines (muscles). */
 void fish_texture_lines(const struct fish_texture *skin, const float weights[MORPH_KEY_MAX],
                         struct fish_texture_lines lines[FISH_TEXTURE_LINES])
 {

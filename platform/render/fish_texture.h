@@ -13,9 +13,9 @@
 #include "platform/render/gl_util.h"
 #include "platform/render/paint_atlas.h"
 
-/* Maximum number of painted sheets of a fish texture. With three key shapes, the sheets of
- * neighbouring key shapes are six sheets apart. With five key shapes the distance is three sheets,
- * and with eight key shapes one sheet. */
+/* Maximum number of painted sheets of a fish texture. From one key shape to the next, the sheet
+ * number increases by six if the species has three key shapes, by three if it has five, and by one
+ * if it has eight. */
 #define FISH_TEXTURE_SHEETS 13u
 #define FISH_TEXTURE_BANDS                                                                         \
     (PAINT_SIZE / PAINT_BAND) /* Number of bands (groups of PAINT_BAND texel rows) of a sheet. */
@@ -30,8 +30,8 @@ struct fish_texture {
     uint32_t bands_done[FISH_TEXTURE_SHEETS];
     /* True for each sheet that is painted at least coarsely. */
     bool is_coarse[FISH_TEXTURE_SHEETS];
-    /* Number of the sheet that the largest fish with this texture shows. A fraction means a blend
-     * of two neighbouring sheets. */
+    /* Position in the series of sheets that the largest fish with this texture shows, from 0 to
+     * sheet_count - 1. A fraction means a blend of two neighbouring sheets. */
     float shown;
     /* Length in pixels of the largest fish with this texture. 0 means that no fish in the current
      * frame has this texture. */
@@ -54,7 +54,7 @@ void fish_texture_request(struct fish_texture *skin, struct paint_brush *brush,
                           const float weights[MORPH_KEY_MAX], float length_px, float sheets[3]);
 
 /* Paints up to `bands` more bands of a sheet finely, in about 1 ms each. Stops early when all
- * sheets are finished. Returns `bands` minus the number of painted bands. */
+ * sheets are finished. Returns how many of the `bands` were not painted. */
 uint32_t fish_texture_work(struct fish_texture *skin, struct paint_brush *brush, uint32_t bands);
 
 /* Returns true if the sheets that the largest fish shows are painted finely. See
@@ -63,16 +63,17 @@ bool fish_texture_is_fine(const struct fish_texture *skin);
 /* Returns true if all sheets are painted finely. */
 bool fish_texture_is_done(const struct fish_texture *skin);
 
-/* Maximum number of line sets that the shader draws on one fish. Some lines round the body, such as
- * the muscles of a leaf-shaped larva, are narrower than a texel of a sheet. The shader draws these
- * lines at the screen's resolution, with the same shape as mark_cover() gives MARK_BANDS. */
+/* Maximum number of line sets that the shader draws on one fish. A line set is a series of lines
+ * round the body, such as the muscles of a leaf-shaped larva, that are narrower than a texel of a
+ * sheet. The shader draws these lines at the screen's resolution, in the shape that mark_cover()
+ * gives to MARK_BANDS. */
 #define FISH_TEXTURE_LINES 2u
 struct fish_texture_lines {
-    /* Placement of the lines along the body: position of the first line, spacing, number of lines,
-     * slant. */
+    /* The four values are the position of the first line along the body, the spacing of the lines,
+     * the number of lines, and the slant of the lines. */
     float place[4];
-    /* Shape of a line: half of its width, its lower and its upper height on the body, and its
-     * opacity [0, 1]. */
+    /* The four values are half of the width of a line, its lower and its upper height on the body,
+     * and its opacity [0, 1]. */
     float shape[4];
     float colour[3];
 };

@@ -15,19 +15,19 @@
 /* Width of the shadow map divided by the width of the floor. The shadow map is larger than the
  * floor, so that it contains the whole shadow of a fish near a wall. */
 #define SHADOW_MARGIN 1.06f
-/* Tangent of the light's angle from the vertical, in the direction x, for the light that reaches
- * the floor. The lamps hang to the right of the player and behind the player. */
+/* Tangent of the angle between the vertical and the light that reaches the floor, in the direction
+ * x. The lamps hang to the right of the player and behind the player. */
 #define SHADOW_DRIFT_X 0.26f
-/* Tangent of the light's angle from the vertical, in the direction z, for the light that reaches
- * the floor. */
+/* Tangent of the angle between the vertical and the light that reaches the floor, in the direction
+ * z. */
 #define SHADOW_DRIFT_Z 0.16f
 
-/* Light absorption of the water in 1/m, multiplied by the water depth in m. The product is
- * constant, so that a shallow tank looks as blue as a deep tank. */
+/* Light absorption of the water in 1/m, multiplied by the depth of the tank's water in m. The
+ * product is the same for all tanks, so that a shallow tank looks as blue as a deep tank. */
 #define ABSORPTION_OVER_DEPTH 0.55f
 
-/* Displacement of the refracted picture per unit of surface slope, in water depths. Physically the
- * value is 0.25. The larger value makes refraction more visible. */
+/* Displacement of the refracted picture, in water depths, per unit of slope of the water surface.
+ * The physically correct value is 0.25. A larger value makes refraction more visible. */
 #define REFRACTION 0.36f
 
 static void multiply(float out[16], const float a[16], const float b[16])
@@ -108,9 +108,9 @@ void frame_begin(struct frame *frame, const struct scene *scene,
                     0.5f * shift_m / half_height_m * v3_dot(axes.up, v3(0.0f, 0.0f, 1.0f)), 0.0f,
                     0.0f);
     /* `shades` lists the circular shadows of the hand-held fans, then the circular shadows of the
-     * pois. Only fish under water receive the shadows of fans and pois. All other objects receive
-     * only the fans' shadows. The floor gets the pois' shadows from the shadow map, because the
-     * shadow map shows the holes in the paper. */
+     * pois (paper scoops). Shaders apply the circular shadows of both to fish under water, and only
+     * those of the fans to all other objects. The floor has the pois' shadows from the shadow map,
+     * which also shows the holes in the paper. */
     uint32_t count = 0;
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         const struct scene_fan *const fan = &scene->fan[i];

@@ -21,8 +21,9 @@ void gl_fail(struct gl_status *status, const char *format, ...)
     va_end(arguments);
     for (char *c = status->text; *c; c++) {
         if (*c == '\n') {
-            *c = ' '; /* A driver's message may have several lines, but the status holds one
-                         line. */
+            /* Line breaks are replaced by spaces: a driver's message may have several lines, but
+             * the status holds one line. */
+            *c = ' ';
         }
     }
 }
@@ -279,7 +280,9 @@ GLuint gl_compile(struct gl_status *status, const char *name, GLenum stage,
 GLuint gl_link(struct gl_status *status, const char *name, GLuint vertex, GLuint fragment)
 {
     if (!vertex || !fragment) {
-        return 0; /* gl_compile() has already stored the name of the failed shader in the status. */
+        /* A shader with the name 0 failed to compile. gl_compile() has already stored its name in
+         * the status. */
+        return 0;
     }
     const GLuint program = glCreateProgram();
     glAttachShader(program, vertex);

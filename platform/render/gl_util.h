@@ -13,7 +13,8 @@
 
 #include "platform/hal.h"
 
-/* Number of textures in a ring buffer (struct gl_ring) for texels that change in each frame. */
+/* Number of textures in a ring buffer (struct gl_ring). A ring buffer is used for a texture whose
+ * texels change in each frame. */
 #define GL_RING 3u
 #define GL_TEXTURE_SURE 2048u /* Texture side in texels that every OpenGL ES 3.0 driver supports. */
 /* Number of layers of an array texture that every OpenGL ES 3.0 driver supports. */
@@ -63,10 +64,10 @@ void gl_ring_open(struct gl_status *status, const char *name, struct gl_ring *ri
                   const struct gl_texture_desc *desc);
 void gl_ring_close(struct gl_ring *ring);
 
-/* Advances to the texture whose last filling was the longest time ago, and returns the name of this
- * texture. */
+/* Advances to the next texture of the ring, which was filled the longest time ago, and returns its
+ * OpenGL name. */
 GLuint gl_ring_turn(struct gl_ring *ring);
-/* Returns the texture that gl_ring_turn() returned last. */
+/* Returns the result of the last call of gl_ring_turn(). */
 GLuint gl_ring_texture(const struct gl_ring *ring);
 
 /* Render target of a pass: a framebuffer and its size in pixels. */

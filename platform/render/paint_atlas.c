@@ -27,8 +27,9 @@ static const struct cell {
 #define CELL_COUNT ((uint32_t)(sizeof cells / sizeof *cells))
 
 struct place {
-    uint32_t x, y, width, height; /* Position in texels from the upper left corner of the atlas, and
-                                     size in texels. */
+    /* Position, in texels from the upper left corner of the atlas, and size in texels of a body
+     * part's area. */
+    uint32_t x, y, width, height;
 };
 
 static const struct place body_place = { 0, 0, PAINT_SIZE, PAINT_BODY_HEIGHT };
@@ -41,16 +42,17 @@ static struct place place_of_cell(uint32_t cell)
                            PAINT_CELL_WIDTH, PAINT_CELL_HEIGHT };
 }
 
-/* Returns the centre of a texel row or column, as a fraction of the atlas. `t` in [0, 1] selects
- * one of the `count` rows or columns that begin at number `first`. */
+/* Returns an atlas coordinate [0, 1] between texel centres. `t` in [0, 1] runs from the centre of
+ * texel row or column `first` (0) to the centre of the last of `count` rows or columns (1). */
 static float texel_centre(uint32_t first, uint32_t count, float t)
 {
     const float at = (float)first + 0.5f + f_clamp(t, 0.0f, 1.0f) * (float)(count - 1u);
     return at / (float)PAINT_SIZE;
 }
 
-/* A fin in the midplane has one cell, regardless of the vertex's side. A vertex of a paired fin
- * without a side uses the right fin's cell. */
+/* An unpaired fin has one cell of the atlas, regardless of the vertex's side. A paired fin has one
+ * cell for each side. A vertex of a paired fin whose side is neither left nor right uses the right
+ * fin's cell. */
 void paint_atlas_find(const struct species_vertex *vertex, float uv[2])
 {
     uint32_t found = CELL_COUNT;
@@ -67,8 +69,9 @@ void paint_atlas_find(const struct species_vertex *vertex, float uv[2])
     uv[1] = texel_centre(place.y, place.height, vertex->v);
 }
 
-/* Returns the fraction of `count` texel rows or columns, beginning with number `first`, that lies
- * before texel position `at`. */
+/* Inverts texel_centre(): returns the fraction [0, 1] of the way from the centre of texel row or
+ * column `first` to the centre of the last of `count` rows or columns at which the texel position
+ * `at` lies. */
 static float share_along(float at, uint32_t first, uint32_t count)
 {
     return f_clamp((at - (float)first - 0.5f) / (float)(count - 1u), 0.0f, 1.0f);
@@ -139,9 +142,9 @@ void paint_atlas_coarse_points(const struct painting *painting)
     }
 }
 
-/* Writes the indices of the two coarse points between which texel `at` lies to `points`. Both
- * points are within the texel's atlas cell, which is `size` texels wide. Returns the interpolation
- * weight of the second point. */
+/* Finds the two points of the coarse painting between which texel number `at` lies along one axis,
+ * and writes their indices to `points`. Both points are in the texel's atlas cell, which has `size`
+ * texels along the axis. Returns the interpolation weight of the second point. */
 static float find_coarse_points(uint32_t at, uint32_t size, uint32_t points[2])
 {
     CORE_ASSERT(size >= PAINT_COARSE && size % PAINT_COARSE == 0);
@@ -180,7 +183,8 @@ void paint_atlas_coarse_band(const struct painting *painting, uint32_t first)
     }
 }
 
-/* Returns true if two neighbouring texels of the band differ by more than EDGE. */
+/* Returns true if a component of the two neighbouring texels `a` and `b` differs by more than
+ * EDGE. */
 static bool differ(const uint8_t a[4], const uint8_t b[4])
 {
     int32_t most = 0;
@@ -191,9 +195,8 @@ static bool differ(const uint8_t a[4], const uint8_t b[4])
     return most > EDGE;
 }
 
-/* Each texel first gets the paint at its centre. Then the edges of marks are smoothed, because an
- * edge may be narrower than a texel and would be jagged if each texel were painted from one
- * point. */
+/* Each texel first gets the paint at its centre. Then the edges of the paint's marks are smoothed,
+ * because an edge that is sharper than a texel would look jagged. */
 void paint_atlas_fine_band(const struct painting *painting, uint32_t first)
 {
     struct paint paint = { .colour = { 0.0f, 0.0f, 0.0f } };

@@ -3,8 +3,8 @@
  *
  * The upper half of the sheet shows the body, with the surface coordinate u to the right and v
  * downward. Below the body are cells of PAINT_CELL_WIDTH x PAINT_CELL_HEIGHT texels, four in a row.
- * Each fin in the midplane has one cell, and each pair of fins has two cells. The ends of u and v
- * are at texel centres, so that texture filtering never reads texels of another body part. */
+ * Each unpaired fin has one cell, and each pair of fins has two cells. The ends of u and v are at
+ * texel centres, so that texture filtering never reads texels of another body part. */
 #pragma once
 
 #include <stdbool.h>
@@ -20,8 +20,9 @@
 /* Writes the atlas coordinates of a vertex to `uv`, each in [0, 1]. */
 void paint_atlas_find(const struct species_vertex *vertex, float uv[2]);
 
-/* Finds the surface point that is painted at (x, y), in texels [0, PAINT_SIZE). Texel centres are
- * at half texels. Returns false if no body part has texels at (x, y). */
+/* Finds the point of the fish's surface whose paint is at (x, y) of the sheet, in texels [0,
+ * PAINT_SIZE). The centre of a texel has coordinates that end in .5. Returns false if no body part
+ * has texels at (x, y). */
 bool paint_atlas_at(float x, float y, struct species_vertex *vertex);
 
 /* Converts a fraction to a byte. `x` is clamped to [0, 1]. */
@@ -31,7 +32,7 @@ uint8_t paint_atlas_byte(float x);
 #define PAINT_COARSE 4u /* Distance in texels between two points of the coarse painting. */
 #define PAINT_COARSE_SIZE (PAINT_SIZE / PAINT_COARSE)
 
-/* Scratch memory for painting PAINT_BAND texel rows at a time. All sheets may share one struct
+/* Temporary memory for painting PAINT_BAND texel rows at a time. All sheets may share one struct
  * paint_brush. */
 struct paint_brush {
     uint8_t paint[PAINT_BAND * PAINT_SIZE][4]; /* Colour and transparency of each texel. */
@@ -40,7 +41,7 @@ struct paint_brush {
     float coarse[PAINT_COARSE_SIZE * PAINT_COARSE_SIZE][5];
 };
 
-/* Parameters for painting one sheet. */
+/* Parameters for painting one sheet (a texture layer with a fish's paint). */
 struct painting {
     const struct species *species;
     float weights[MORPH_KEY_MAX]; /* Weight of each key shape in the sheet's paint. */

@@ -8,7 +8,7 @@
 #include "core/base/fmath.h"
 #include "core/base/panic.h"
 
-/* Kind of graphics hardware with the amount of drawing that the hardware can do in a frame. */
+/* A kind of graphics hardware, with the amount of drawing that this hardware can do in a frame. */
 struct machine {
     bool software;
     float pixels;      /* Maximum number of scene pixels in a frame, regardless of the screen
@@ -68,9 +68,9 @@ struct quality quality_choose(const struct quality_request *request)
     if (quality.samples > request->samples_max) {
         quality.samples = request->samples_max ? request->samples_max : 1u;
     }
-    /* The largest texture size of the driver limits the sizes of the render targets. If the screen
-     * is larger than this limit, the scene is drawn with this limit as its size. The screen is then
-     * drawn without multisampling. */
+    /* No render target may be larger than the driver's largest texture size. If the screen is
+     * larger, the scene is drawn at the largest texture size, and the screen is drawn without
+     * multisampling. */
     const uint32_t side = request->width > request->height ? request->width : request->height;
     const float scale_max = (float)request->side_max / (float)side;
     quality.scene_scale = f_min(quality.scene_scale, scale_max);
@@ -88,9 +88,9 @@ struct quality quality_lower(const struct quality *best, uint32_t step)
     struct quality quality = *best;
     const float of_best = share[step < QUALITY_STEP_MAX ? step : QUALITY_STEP_MAX];
     if (step > 0) {
-        quality.samples = 1; /* Multisampling is switched off first, because
-                                multisampling costs the most time and its absence is the least
-                                visible. */
+        /* Every step switches multisampling off, because multisampling costs much time and its
+         * absence is hardly visible. */
+        quality.samples = 1;
         quality.scene_scale = f_max(of_best * best->scene_scale, 0.25f);
         quality.floor_scale = f_max(of_best * best->floor_scale, 0.2f);
         quality.lod_near_px = best->lod_near_px / of_best;
@@ -100,15 +100,15 @@ struct quality quality_lower(const struct quality *best, uint32_t step)
 
 #define NS_PER_S 1000000000ull
 #define STALL_NS (NS_PER_S / 4u)
-/* Number of consecutive stalls (very long frames) from which slow drawing is assumed to be the
- * cause. */
+/* Minimum number of consecutive stalls (very long frames) for which slow drawing is assumed to be
+ * the cause. */
 #define STALLS 3u
 #define HZ 60u
 /* Maximum mean frame duration that counts as on time, in per cent of a refresh period. At this
  * maximum, one frame in nine is late by one refresh period. */
 #define LATE_PERCENT 111u
-/* Number of seconds without late frames after which the trial of a finer quality step has
- * succeeded. */
+/* Number of seconds without late frames after which the trial of a finer quality step counts as
+ * successful. */
 #define HELD_S 60u
 
 void quality_governor_begin(struct governor *governor, uint32_t refresh_hz)

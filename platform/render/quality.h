@@ -5,10 +5,10 @@
  * quality if frames are late or the machine is hot, so that the game never waits for a picture. The
  * governor raises the quality again when frames are on time.
  *
- * A finished frame waits for the next refresh of the screen. The duration of a frame therefore
- * shows whether drawing was too slow, but not how much time was left. For that reason the governor
- * tries a finer quality step between two games. After each failed trial the governor waits longer
- * before the next trial. */
+ * Because a finished frame waits for the next refresh of the screen, the duration of a frame shows
+ * whether drawing was too slow, but not how much time was left. Therefore the governor can only try
+ * a finer quality step, which it does between two games. After each failed trial the governor waits
+ * longer before the next trial. */
 #pragma once
 
 #include <stdbool.h>
@@ -44,8 +44,7 @@ struct quality_request {
     uint32_t side_max;
 };
 
-/* Returns the best quality for the hardware and the screen size, within the limits that `request`
- * requests. */
+/* Returns the best quality for the hardware and the screen size, within the limits in `request`. */
 struct quality quality_choose(const struct quality_request *request);
 
 /* Maximum number of quality steps below the best quality. The last step draws the scene with a
@@ -101,7 +100,7 @@ void quality_governor_begin(struct governor *governor, uint32_t refresh_hz);
  * frame. */
 uint32_t quality_governor_frame(struct governor *governor, uint64_t now_ns, bool may_refine);
 
-/* Updates the quality step `heat`. Must be called every few seconds. `margin_mdeg` is the
- * temperature margin in m°C: the difference between the temperature at which the machine throttles
- * itself and its current temperature. */
+/* Updates governor->heat, the number of quality steps that keep the machine cool. Must be called
+ * every few seconds. `margin_mdeg` is the temperature margin in m°C: the difference between the
+ * temperature at which the machine throttles itself and its current temperature. */
 void quality_governor_set_temperature(struct governor *governor, int32_t margin_mdeg);

@@ -55,8 +55,9 @@ static void bind_screen(const struct renderer *renderer)
     }
 }
 
-/* Draws the objects above the water in an order without depth conflicts: the rim may hide a bowl, a
- * poi (paper scoop) always hides the rim, and a hand-held fan hides all other objects. */
+/* Draws the objects above the water. The order of drawing gives the right overlaps: the rim may
+ * hide a bowl, a poi (paper scoop) always hides the rim, and a hand-held fan hides all other
+ * objects. */
 static void draw_above(const struct renderer *renderer, const struct scene *scene)
 {
     const GLuint caustics = renderer->light.caustics.texture;
@@ -126,8 +127,9 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     light_pass_shadows(&renderer->light, scene, &renderer->fish, &renderer->poi);
     step_done(renderer, STEP_LIGHT);
     gl_target_bind(&renderer->ground);
-    glClearColor(0.05f, 0.24f, 0.30f, 1.0f); /* The clear colour is visible where the refracted
-                                                picture is sampled beyond the walls. */
+    /* This clear colour is visible where the shader of the water surface reads the refracted
+     * picture outside the walls. */
+    glClearColor(0.05f, 0.24f, 0.30f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
     basin_pass_ground(&renderer->basin, renderer->light.caustics.texture,
                       renderer->light.shadows.texture);
@@ -150,8 +152,8 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     draw_above(renderer, scene);
 }
 
-/* Draws the user interface. Outside a round, first paints a further part of the fish textures of
- * the growth lab and the album. */
+/* Draws the user interface. Outside a round, first spends a limited time on painting unfinished
+ * fish textures, which the growth lab and the album show. */
 static void draw_ui(struct renderer *renderer, const struct scene *scene)
 {
     if (scene->phase != PHASE_READY && scene->phase != PHASE_ROUND) {

@@ -25,12 +25,13 @@
 
 struct renderer_config {
     uint32_t width, height; /* Picture size in pixels, > 0. */
-    /* Ratio of scene pixels to screen pixels along each axis, as in struct display_gl_config. */
+    /* Width of the underwater scene's picture divided by the width of the screen, as in struct
+     * display_gl_config. */
     float scene_scale;
     /* Number of multisampling samples. 0 means that the renderer chooses the number. */
     uint32_t samples;
-    /* Library of the makers' species. Null means none. The library must stay valid and at the same
-     * address while the renderer is open. */
+    /* Library of the species that users have drawn. Null means no library. The library must stay
+     * valid and at the same address while the renderer is open. */
     const struct library *library;
 };
 
@@ -51,7 +52,7 @@ struct renderer {
     /* Configuration of the renderer. The fields `width` and `height` follow the window size. */
     struct renderer_config config;
     struct display_settings display_settings;
-    /* Display geometry of the picture on a screen of the current size. */
+    /* Rotation, position and size of the picture on a screen of the current size. */
     struct display_transform transform;
     struct quality quality;
     /* Current quality step, which is the argument `step` of quality_lower(). */
@@ -91,12 +92,13 @@ void renderer_close(struct renderer *renderer);
  * HAL_ERR_GONE if the new targets cannot be created. */
 int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height);
 
-/* Sets the display geometry of all later pictures. Before the first call, the picture fills the
- * screen. `display_settings` is copied. */
+/* Sets the rotation, margins and brightness of all later pictures. Before the first call, the
+ * picture fills the screen. `display_settings` is copied. */
 void renderer_place(struct renderer *renderer, const struct display_settings *display_settings);
 
-/* Sets the quality step (quality_lower()) for all later pictures. Does nothing if the step did not
- * change. Returns HAL_ERR_GONE if the new targets cannot be created. */
+/* Sets the number of quality steps below the best quality (quality_lower()) for all later pictures.
+ * Does nothing if the step did not change. Returns HAL_ERR_GONE if the new targets cannot be
+ * created. */
 int renderer_lower(struct renderer *renderer, uint32_t step);
 
 /* Draws the scene into the default framebuffer. The caller swaps the buffers. */

@@ -78,8 +78,8 @@ int renderer_open(struct renderer *renderer, const struct renderer_config *confi
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side_max);
     renderer->samples_max = (uint32_t)samples_max;
     renderer->side_max = (uint32_t)side_max;
-    /* The name combines a version such as "OpenGL ES 3.2 Mesa 22.3.6" and a renderer such as
-     * "llvmpipe (LLVM 15.0.6, 256 bits)", for example to "OpenGL ES 3.2 llvmpipe". */
+    /* For example, the version "OpenGL ES 3.2 Mesa 22.3.6" and the renderer "llvmpipe (LLVM 15.0.6,
+     * 256 bits)" give the name "OpenGL ES 3.2 llvmpipe". */
     const char *const version = gl_string(GL_VERSION);
     const char *const device = gl_string(GL_RENDERER);
     const size_t prefix = strlen("OpenGL ES ");

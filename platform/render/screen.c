@@ -84,13 +84,13 @@ void screen_card_prefer(void)
     const int card = screen_card_find("");
     if (card >= 0) {
         snprintf(index, sizeof index, "%d", card);
-        /* The environment variable SDL_KMSDRM_DEVICE_INDEX takes precedence over this hint. */
+        /* If the environment variable SDL_KMSDRM_DEVICE_INDEX is set, SDL ignores this hint. */
         SDL_SetHint(SDL_HINT_KMSDRM_DEVICE_INDEX, index);
     }
 }
 
-/* `which` is the sum of the hashes of the connectors' names. A sum is independent of the order of
- * the names. The kernel may list the names in a different order each time. */
+/* `which` is the sum of the hashes of the connectors' names, because a sum does not depend on the
+ * order of the names. The kernel may list the names in a different order each time. */
 struct connectors screen_connectors(const char *root)
 {
     struct connectors found = { 0 };
@@ -125,7 +125,8 @@ struct guard {
     void *context;
 };
 
-/* Xlib keeps a pointer to `guard` until the connection ends. Only one connection exists. */
+/* Xlib keeps a pointer to `guard` until the connection to the X server ends. The variable can be
+ * static, because the program has only one connection. */
 static struct guard guard;
 
 #if defined(SDL_VIDEO_DRIVER_X11)

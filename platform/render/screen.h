@@ -26,9 +26,9 @@ struct connectors {
 struct connectors screen_connectors(const char *root);
 
 /* Returns the number N of the card (/dev/dri/cardN) that shows the picture. This is the first card
- * with a connected screen, otherwise the first card with a connector, whose screen may be off.
- * Returns -1 if no card has a connector. `root` is a directory whose subdirectory sys/ is read
- * instead of /sys, or "" to read /sys.
+ * with a connected screen. If no card has one, it is the first card with a connector, whose screen
+ * may be off. Returns -1 if no card has a connector. `root` is a directory whose subdirectory sys/
+ * is read instead of /sys, or "" to read /sys.
  *
  * The kernel numbers the cards in the order in which their drivers load. If a second card without
  * connectors exists, the card with the connectors may be card0 after one boot and card1 after the
@@ -44,10 +44,10 @@ void screen_card_prefer(void);
  * `on_broken` is called once with `context`, from inside a call to SDL or OpenGL. Does nothing if
  * the window system is not X11.
  *
- * On a broken connection, Xlib prints a line and calls exit(). Xlib calls exit() in its default
- * error handler, and also after a replaced error handler returns. In libX11 1.7 and later, a
- * program can replace the error handler and the exit handler. This module loads the functions that
- * replace the handlers with dlsym(). Therefore the program does not link against X11, and other
- * window systems need no X11. After the break every further Xlib call on the connection fails
- * without a message. */
+ * If a connection breaks, Xlib calls an error handler, which prints a line and calls exit(). If the
+ * program has replaced this handler, Xlib then calls an exit handler, which also calls exit(). In
+ * libX11 1.7 and later, a program can replace both handlers. This module finds the functions that
+ * replace the handlers with dlsym(), so that the program does not link against X11 and other window
+ * systems need no X11. After the break every further Xlib call on the connection fails without a
+ * message. */
 void screen_guard_x11(SDL_Window *window, void (*on_broken)(void *context), void *context);

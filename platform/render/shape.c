@@ -1,4 +1,4 @@
-/* shape.c -- builds the grids of vertices of small solids, and uploads the meshes. */
+/* shape.c -- builds the meshes of small solids as grids of vertices, and uploads the meshes. */
 #include "platform/render/shape.h"
 
 #include "core/base/panic.h"

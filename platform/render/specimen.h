@@ -21,8 +21,8 @@ struct specimen {
     /* Number that changes whenever the memory at `species` receives the data of a different
      * species. */
     uint32_t edition;
-    /* Prepared deformation graphs, which must be valid until the frame has been drawn. Null means
-     * the species' own graphs. */
+    /* Deformation graphs, prepared for computing poses. The structure must be valid until the frame
+     * has been drawn. Null means the species' own graphs. */
     const struct morph_rig *rig;
     float progress; /* Progress through life, [0, 1]. */
     /* Screen position in pixels of the body's centre, which is the point z = 0 of the body's

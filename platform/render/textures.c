@@ -40,10 +40,10 @@ void textures_open(struct gl_status *status, struct textures *textures)
     textures->paper = grey_tile(status, "paper", asset_paper, ASSET_PAPER_SIZE, false);
 }
 
-/* Returns the pattern layer for the appearance number `look`. All sixteen entries of `layers` are
+/* Returns the pattern layer for the appearance number `look`. The sixteen entries of `layers` are
  * equally likely. A frequent pattern has several entries, so that the patterns are as frequent as
- * at breeders and fairs. A third of the fish are all red or have a pale belly, few fish are white,
- * and the others have patches. */
+ * at breeders and fairs: six entries are all red (0) or have a pale belly (1), two are almost white
+ * (8 and 10), and the others have red patches. */
 float textures_pattern(uint32_t look)
 {
     static const uint8_t layers[16] = { 0, 0, 0, 1, 1, 1, 2, 3, 3, 4, 5, 6, 7, 9, 10, 8 };

@@ -16,8 +16,8 @@ struct textures {
 };
 
 void textures_open(struct gl_status *status, struct textures *textures);
-/* Returns the layer of `patterns` for a fish with the appearance number `look` (see struct
- * scene_fish). */
+/* Returns the number of the layer of the texture `patterns` for a fish with the appearance number
+ * `look` (see struct scene_fish). */
 float textures_pattern(uint32_t look);
 /* Returns the hue of a fish with the appearance number `look` (see struct scene_fish), [0, 1]. */
 float textures_hue(uint32_t look);
