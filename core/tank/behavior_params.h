@@ -33,8 +33,8 @@ struct behavior_params {
     /* Standard deviation of the change of heading when a fish begins to swim (`turn_swim_rad`) or
      * to rest (`turn_rest_rad`). Section 3.3 of the 2013 thesis describes the change. */
     float turn_swim_rad, turn_rest_rad;
-    /* Random spread of the depths that fish prefer: the standard deviation of the depths of fish
-     * with equal stamina, as a fraction of the water depth. */
+    /* Standard deviation of the depths that fish with equal stamina prefer, as a fraction of the
+     * water depth. */
     float depth_stray;
 
     /* The next four parameters control how a fish avoids other fish (2013 thesis, section 3.4). */
@@ -51,10 +51,9 @@ struct behavior_params {
     /* A fish turns away from a wall when the distance from its nose to the wall is below a limit
      * (2013 thesis, section 3.1). The limit is `wall_per_length` body lengths plus the distance
      * that the fish swims in the time `wall_within_s`. */
-    float wall_per_length; /* Constant part, in body lengths, of the distance to a wall below which
-                              a fish turns away. */
-    /* Time that defines the other part of the distance to a wall below which a fish turns away: the
-     * path that the fish swims in this time. */
+    float wall_per_length;
+    /* Time that determines a part of the distance to a wall below which a fish turns away: the path
+     * that the fish swims in this time. */
     float wall_within_s;
 
     /* The next parameters add the behavior of living fish to the rules of the 2013 thesis. */
@@ -92,13 +91,15 @@ struct behavior_params {
  * living fish. Calmer fish escape in the same way as living fish, but later or only from a stronger
  * stimulus. */
 struct temper {
-    float threshold_gain; /* The alarm that starts an escape is higher by this fraction. */
-    float latency_gain;   /* The time between alarm and escape is longer by this fraction. */
-    /* Fraction [0, 1] by which the distance shrinks at which a moving poi (paper scoop) startles
-     * fish. */
+    float threshold_gain; /* Fraction by which the alarm that starts an escape is higher than for
+                             living fish. */
+    float latency_gain;   /* Fraction by which the time from alarm to escape is longer than for
+                             living fish. */
+    /* A moving poi (paper scoop) startles living fish within some distance. This member is the
+     * fraction [0, 1] by which that distance is shorter. */
     float reach_loss;
-    /* Fraction [0, 1] of the small fish that stay near the surface and have a higher threshold
-     * (fish_is_calm()). */
+    /* Fraction [0, 1] of the small fish that are calm: they stay near the surface, and only a
+     * higher alarm startles them (fish_is_calm()). */
     float calm_share;
 };
 
@@ -114,7 +115,8 @@ struct perception {
     struct temper temper;
     vec3 size_m;       /* Inner width, water depth and length of the tank. */
     float wall_follow; /* Strength [0, 1] with which walls attract fish. */
-    /* True if personal spaces are balls instead of boxes; see struct tank_config. */
+    /* True if the personal space around each fish is a ball instead of a box; see struct
+     * tank_config. */
     bool ball_spaces;
     uint32_t seed, tick;
     float dt_s;        /* Time between this decision of the fish and its previous decision. */

@@ -7,9 +7,9 @@
 
 #define COS_20_DEG 0.93969262f
 #define COS_45_DEG 0.70710678f
-/* Probability that a fish that would swim into the side of another fish passes behind the other
- * fish, which is the straight (normal) rule. Otherwise the fish passes in front of the other fish
- * (2013 thesis on goldfish behavior, section 3.4). */
+/* Probability that a fish that would swim into the side of another fish turns to pass behind the
+ * other fish. Otherwise the fish turns to pass in front of the other fish (2013 thesis on goldfish
+ * behavior, section 3.4). */
 #define STRAIGHT_CHANCE 0.9f
 /* Longest time for which a fish avoids another fish by yaw, a turn to the left or right. Afterwards
  * the fish avoids by pitch, up or down (2013 thesis, section 3.4). */
@@ -18,9 +18,9 @@
 /* Time for which a fish keeps its depth after it avoided another fish by pitch. Without this time,
  * the fish would return to its preferred depth and meet the other fish again. */
 #define HOLD_DEPTH_S 0.5f
-/* Closing speed below which two fish do not avoid each other. The closing speed is the speed at
- * which the gap between the fish shrinks. Two resting fish of 5 cm drift at up to 0.5 cm/s each, so
- * that only repulsion separates them. */
+/* Closing speed (decrease of the gap per second) below which two fish do not avoid each other. Two
+ * resting fish of 5 cm drift at up to 0.5 cm/s each, so their closing speed is at most this limit,
+ * and only repulsion separates them. */
 #define CLOSING_MIN_M_S 0.010f
 /* Smallest factor by which a braking fish multiplies its speed goal. With a smaller factor, a fish
  * in a burst (the fastest gait) would lose more than half of its speed in a dense tank, where fish
@@ -55,10 +55,9 @@ struct encounter {
     uint32_t since;
 };
 
-/* Returns the encounter of two fish. If one of the fish already avoids the other fish, returns the
- * encounter that the avoiding fish recorded when it began to avoid. A turn during the avoidance
- * changes the angle between the fish, but not the class of the encounter (head-on, rear-end or
- * side). */
+/* Returns the encounter of two fish, which the angle between their headings classifies as head-on,
+ * rear-end or side. If one of the fish already avoids the other fish, returns the encounter that
+ * this fish stored when it began to avoid, because its turn has changed the angle since then. */
 static struct encounter encounter(const struct avoid_party *a, const struct avoid_party *b,
                                   float a_faces, float b_faces, uint32_t tick)
 {
@@ -100,9 +99,10 @@ static void advise_side_encounter(struct avoid_advice *hitter, vec3 hitter_forwa
     struck->turn = STRUCK_SHARE * (hit_on_left > 0.0f ? -sense : sense);
 }
 
-/* Returns true if two fish that keep their present courses would come so near to each other that
- * they must avoid each other. The limit is params->meet_miss. Always returns true if
- * params->meet_miss is 0, as in the 2013 thesis, which has no such test. */
+/* Returns true if two fish must avoid each other, because they would pass each other too closely on
+ * their present courses. The smallest allowed distance is params->meet_miss times the sum of the
+ * two body lengths. Always returns true if params->meet_miss is 0, because the 2013 thesis has no
+ * such test. */
 static bool courses_cross(const struct avoid_party *a, const struct avoid_party *b, vec3 apart,
                           const struct behavior_params *params)
 {
@@ -118,9 +118,9 @@ static bool courses_cross(const struct avoid_party *a, const struct avoid_party 
            miss.x * miss.x + miss.z * miss.z < wide_m * wide_m;
 }
 
-/* Returns the factor by which a fish multiplies its speed goal. The factor is below 1, so that the
- * fish brakes, if the fish swims toward the other fish and would touch it within `brake_s`
- * seconds. */
+/* Returns the factor by which a fish multiplies its speed goal. The result is below 1 if the fish
+ * swims toward the other fish and would touch it within `brake_s` seconds. Otherwise the result is
+ * 1, and the fish does not brake. */
 static float brake_for(float faces, float gap_m, float closing_m_s, float brake_s)
 {
     const float stop_m = brake_s * closing_m_s;
@@ -147,8 +147,8 @@ static void advise(struct avoid_pair *pair, const struct avoid_party *a,
     struct avoid_advice *active = now->a_is_active ? &pair->a : &pair->b;
     struct avoid_advice *other = now->a_is_active ? &pair->b : &pair->a;
     if (now->kind == MEET_REAR_END) {
-        /* If a fish follows the other fish, only the following fish (the active fish) turns aside,
-         * to a random side. */
+        /* In a rear-end encounter only the fish behind (the active fish) turns, to a random
+         * side. */
         active->turn = draw & 1u ? 1.0f : -1.0f;
         other->kind = MEET_NONE;
     } else if (now->kind == MEET_HEAD_ON) {
@@ -195,8 +195,8 @@ static void avoid_continue_or_end(struct fish *fish, const struct avoid_advice *
     if (fish->avoiding == AVOID_YAW && advice->kind != MEET_NONE) {
         fish->avoiding = AVOID_PITCH;
         fish->avoid_left_s = PITCH_TIME_S;
-        /* Follows the advice to swim up or down, or swims in the opposite direction if the surface
-         * or the floor is too near. */
+        /* The fish swims up or down as the advice says, but in the opposite direction if the
+         * surface or the floor is too near. */
         const float room_m =
             advice->rise > 0 ? -fish->position_m.y : fish->position_m.y + water_depth_m;
         fish->avoid_turn = room_m < fish->height_m ? -(float)advice->rise : (float)advice->rise;
@@ -224,8 +224,8 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
     CORE_ASSERT(brake >= 0.0f && brake <= 1.0f);
     CORE_ASSERT(around->dt_s > 0.0f);
     const bool meets = advice->kind != MEET_NONE;
-    /* `brake`, the factor on the speed goal, falls immediately but rises slowly: at least a third
-     * of a second from 0 to 1. */
+    /* `brake` is the factor [0, 1] on the speed goal. The factor falls immediately, but rises by at
+     * most 3 per second. */
     fish->brake = f_min(brake, fish->brake + 3.0f * around->dt_s);
     /* The remaining avoidance time decreases three times as fast if the fish meets no other fish
      * any more. */

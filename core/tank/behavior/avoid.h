@@ -92,15 +92,15 @@ struct avoid_advice {
 
 struct avoid_pair {
     struct avoid_advice a, b;
-    /* Factor [0, 1] by which fish a or fish b multiplies its speed goal, so that the fish slows
+    /* Factors [0, 1] on the speed goals of fish a and fish b. A factor below 1 makes the fish slow
      * down before a contact. */
     float brake_a, brake_b;
 };
 
 /* Returns the advice for both fish of a pair on how to avoid each other. `gap_m` is the gap between
- * their bodies. All random choices of an encounter depend on one random number, so that both fish
- * choose consistently. The key of the random number contains the tick in which the encounter began,
- * so the number stays the same during the encounter. */
+ * their bodies. One random number decides all random choices, so that the advice for one fish fits
+ * the advice for the other fish. The number depends on the tick in which the encounter began, so
+ * the choices stay the same during the encounter. */
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
                              const struct behavior_params *params, uint32_t seed, uint32_t tick);
 
@@ -116,7 +116,8 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
 
 /* Returns the speed at which repulsion separates two bodies, m/s. `gap_m` is the gap between the
  * bodies, and `length_m` is the length of the smaller fish. Returns 0 if the gap exceeds a fifth of
- * `length_m`, which is the personal space of the smaller fish. At contact, the result for a fish of
- * 5 cm is the difference between 5.25 and 7.5 cm/s. Section 3.3 of the 2013 thesis gives that
- * difference as the limit of all "other forces". */
+ * `length_m`, which is the personal space of the smaller fish. The speed of two fish of 5 cm that
+ * touch is 2.25 cm/s. This is the difference between the top speed (7.5 cm/s) and the swimming
+ * speed (5.25 cm/s) in section 3.3 of the 2013 thesis, which limits all "other forces" to this
+ * difference. */
 float avoid_repulsion_m_s(float gap_m, float length_m);

@@ -19,23 +19,22 @@
 /* Angle between the direction away from a danger and the final course of a fish that first turned
  * toward the danger. With this angle the fish swims past the danger. */
 #define PAST_RAD (100.0f * F_DEG)
-/* Largest angle by which stage 2 of a C-start (the flip) turns the fish back from the turn of stage
- * 1. */
+/* Largest angle by which the flip of the tail (stage 2 of a C-start) turns the fish in the
+ * direction opposite to the first turn (stage 1). */
 #define FLIP_BACK_RAD (45.0f * F_DEG)
-/* Largest angle by which stage 2 of a C-start (the flip) turns the fish back from the turn of stage
- * 1 if a wall blocks the course ahead of the fish. */
+/* Value that replaces FLIP_BACK_RAD if a wall is near in the direction away from the danger. */
 #define FLIP_BARRED_RAD (110.0f * F_DEG)
-/* Largest angle by which the flip of the tail in a C-start (stage 2) continues the first turn of
- * the fish (stage 1). */
+/* Largest angle by which the flip of the tail (stage 2 of a C-start) turns the fish farther in the
+ * direction of the first turn (stage 1). */
 #define FLIP_ON_RAD (90.0f * F_DEG)
 
 /* Probability that a fish in a C-start (escape response) first turns away from the danger in open
  * water (Mirjany et al. 2011). Otherwise the fish first turns toward the danger. */
 #define AWAY_CHANCE 0.77f
-/* Probability that a fish in a C-start first turns away from the danger if a wall blocks this
- * escape route. The value is a design value. */
+/* Probability (design value) that a fish in a C-start first turns away from the danger if a wall is
+ * near in the direction away from the danger. */
 #define AWAY_CHANCE_WALL 0.45f
-/* Distance to a wall, in body lengths, within which the wall blocks the escape route. */
+/* Distance to a wall, in body lengths, below which the wall blocks the way of an escaping fish. */
 #define WALL_FELT_LENGTHS 2.0f
 
 /* BEND_PER_TURN is the bend of the body into a C divided by the angle by which the head turns.
@@ -141,7 +140,8 @@ void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct p
     const float stray_rad =
         rng_range(perception_key(around, index, RNG_ESCAPE_STRAY), -STRAY_RAD, STRAY_RAD);
     float goal_rad = away_rad + stray_rad;
-    if (toward) { /* Selects one of the two courses past the danger: the course nearer to the first
+    if (toward) { /* A fish that first turned toward the danger swims past the danger, to the left
+                     or to the right. The fish chooses the course that is nearer to its first
                      turn. */
         const float left_rad = away_rad + PAST_RAD, right_rad = away_rad - PAST_RAD;
         goal_rad =

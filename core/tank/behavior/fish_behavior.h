@@ -1,9 +1,10 @@
-/* fish_behavior.h -- the decision of a fish, which combines startle, gait, walls, shades and depth.
+/* fish_behavior.h -- decides how a fish swims. The decision depends on startle, gait (burst, swim
+ * or rest), walls, shades on the water and depth.
  *
- * Each fish decides about thirty times per second. The fish of a tank decide in turn. A fish
- * decides in every tick (1/120 s) while it is startled, falls or escapes. The results are goals in
- * struct fish, which swim_move() follows in every tick. struct perception holds all input of a
- * decision.
+ * A fish normally decides in every fourth tick (a tick is 1/120 s), and in each tick a quarter of
+ * the fish decide. A fish decides in every tick while it is startled, falls or escapes. The results
+ * are goals in struct fish, which swim_move() follows in every tick. struct perception holds all
+ * input of a decision.
  *
  * Walls can attract fish (thigmotaxis), as section 2.2 and figure 2.3 of the 2013 thesis on
  * goldfish behavior describe for a single goldfish. The strength of the attraction is

@@ -1,5 +1,5 @@
-/* gait.c -- the choice of gait by stamina, the resulting speeds, and the rhythm of burst and
- * coast. */
+/* gait.c -- chooses the gait by stamina, and computes the resulting speeds and the rhythm of tail
+ * beats and glides. */
 #include "core/tank/behavior/gait.h"
 
 #include "core/base/panic.h"
@@ -68,8 +68,9 @@ float gait_depth_m(float stamina, float water_depth_m)
     return -share * water_depth_m;
 }
 
-/* Depth of the back of a calm fish (fish_is_calm()) below the surface. The slanted ring of a dip
- * passes ahead of a fish at this depth. It would push down a fish that is close to the surface. */
+/* Depth below the surface at which a calm fish (fish_is_calm()) keeps its back. A poi (paper scoop)
+ * that dips into the water at a slant passes ahead of a fish at this depth. The ring of the poi
+ * would push down a fish that is nearer to the surface. */
 #define CALM_DEPTH_M 0.020f
 
 /* Returns the preferred depth of the fish for its present stamina (2013 thesis, section 3.6). */
@@ -195,7 +196,7 @@ float gait_run_up_s(float length_m)
     return f_max(0.02f, (0.1772f * log10_length_cm + 0.040f) / 3.0f);
 }
 
-/* ---- Burst and coast: alternating tail beats and glides -------------------------------------- */
+/* ---- Rhythm of tail beats and glides (burst-and-coast swimming) ------------------------------ */
 
 /* The tail beats and the glide after them each last a whole number of decision periods
  * (FISH_BEHAVIOR_TICKS). Therefore a fish that computes its rhythm only once per decision still

@@ -1,10 +1,14 @@
-/* gait.h -- the choice of gait (burst, swim or rest), the duration of a gait, its cost in stamina,
- * and the rhythm of burst and coast.
+/* gait.h -- chooses the gait of a fish, its duration and its cost in stamina, and computes the
+ * rhythm of tail beats and glides.
  *
- * Burst and coast: a cruising fish kicks with its tail, turns during the kick, and glides. Koi and
- * goldfish beat their tail for about one beat and then coast. The drag coefficient of a straight
- * body is a quarter of that of a waving body: 0.060 against 0.242 (Wu et al. 2007, koi). Coasting
- * saves nearly half of the energy.
+ * A gait is a way of swimming that lasts for seconds: burst (fast), swim, or rest. Within the gait
+ * "swim" a fish alternates between tail beats and glides, which biologists call burst-and-coast
+ * swimming. This rhythm has nothing to do with the gait "burst".
+ *
+ * In burst-and-coast swimming a fish kicks with its tail, turns during the kick, and glides. Koi
+ * and goldfish beat their tail for about one beat and then glide. The drag coefficient of a
+ * straight body is a quarter of that of a waving body: 0.060 against 0.242 (Wu et al. 2007, koi).
+ * Gliding saves nearly half of the energy.
  *
  * The fish turn during the kick, not during the glide. The first stage of a kick lasts about
  * equally long for every angle, so the turning rate determines the angle (Wu et al. 2007, turns of
@@ -14,10 +18,11 @@
  * in which stamina H is 0 to 100. All section and equation numbers are those of the 2013 thesis.
  * The rules below were chosen where the thesis contradicts itself or gives no value.
  *
- * - Eqs. 3.1 to 3.3 and the speed s = d * (0.8 + H / 5), where d is one body length per second, are
- *   correct only with H / 100 instead of H. With H, eq. 3.2 gives -3.5 at H = 90, and a rested fish
- *   would swim at 20.8 * d. The printed costs and ranges of stamina refer to 0 to 100. In this
- *   code, stamina h = H / 100 is always in [0, 1].
+ * - Eqs. 3.1 to 3.3 give the probability of each gait, and s = d * (0.8 + H / 5) gives the speed s,
+ *   where d is one body length per second. Both are wrong unless H / 100 replaces H. With H = 90,
+ *   eq. 3.2 gives the probability -3.5, and with H = 100 the speed is 20.8 * d. The code uses
+ *   stamina h = H / 100, which is always in [0, 1]. The costs and ranges of stamina in the thesis
+ *   refer to 0 to 100.
  *
  * - Eq. 3.2 leaves a probability of 0.1 for swimming at H = 0, but the text excludes swimming at H
  *   = 0. The code follows the text.
@@ -70,8 +75,9 @@ float gait_speed_m_s(const struct fish *fish, const struct perception *around);
  * the time T_d in eq. 2.3 of the 2013 thesis. */
 float gait_run_up_s(float length_m);
 
-/* Returns the largest speed of a swimming fish including all pushes, m/s. The result is the top
- * speed in section 3.3 of the 2013 thesis, 7.5 cm/s for a rested fish of 5 cm. */
+/* Returns the largest speed of a swimming fish, m/s. The limit includes the velocity that other
+ * fish and the flow of the water add. The result is the top speed in section 3.3 of the 2013
+ * thesis, 7.5 cm/s for a rested fish of 5 cm. */
 float gait_speed_max_m_s(const struct fish *fish, const struct behavior_params *params);
 
 /* Returns true if the tail drives the fish, false if the fish glides or rests. */
@@ -82,8 +88,9 @@ bool gait_beats(const struct fish *fish, const struct perception *around);
  * `water_depth_m`. */
 float gait_depth_m(float stamina, float water_depth_m);
 
-/* Value of `haste` (fish.h) during a kick, the turn at the beginning of a tail beat. With this
- * value, a turn by any angle is 90 % complete after 0.16 s. */
+/* Factor by which a fish turns faster than normal during a kick, the turn at the beginning of a
+ * tail beat (`haste` in fish.h). With this factor, a turn by any angle is 90 % complete after 0.16
+ * s. */
 #define GAIT_KICK_HASTE 6.0f
 
 /* Returns true if the tail drives the fish in this tick, false if the fish glides. The cycle of
@@ -98,9 +105,8 @@ bool gait_cycle_kicks(const struct fish *fish, uint32_t tick);
  * the angle is `kick_rad` of the behavior parameters. */
 void gait_cycle_turn(struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Returns by how much faster than its mean speed a fish must swim during its tail beats, because it
- * slows down in the glides between them. The result is the speed goal during a beat divided by the
- * mean speed `mean_m_s`. `mean_m_s` must be > 0. */
+/* Returns the speed goal of a fish during its tail beats, divided by its mean speed `mean_m_s` > 0.
+ * The result is above 1, because the fish slows down in the glides between the tail beats. */
 float gait_cycle_share(const struct fish *fish, float mean_m_s);
 
 /* Returns the distance of a glide during which the speed falls to 1 / e, m. The distance is 2 *

@@ -59,7 +59,9 @@
 #define ALERT_M 0.20f
 #define ALERT_M_S 0.05f
 
-#define CALM_GAIN 1.0f /* Addition to `threshold_gain` (struct temper) for a calm fish. */
+/* Addition to `threshold_gain` (struct temper) for a calm fish, which is a small fish that stays
+ * near the surface (fish_is_calm()). */
+#define CALM_GAIN 1.0f
 
 static float boldness(const struct fish *fish)
 {

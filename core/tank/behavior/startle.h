@@ -52,8 +52,8 @@ struct startle_stimulus {
 
 struct startle_stimulus startle_of_disc(const struct obstacle *disc, const struct fish *fish);
 
-/* Returns the alarm above which the fish begins a C-start: 0.45 for the most timid fish, 0.9 for
- * the boldest fish. The threshold is higher after habituation or while the fish gulps, but at most
+/* Returns the alarm above which the fish begins a C-start (escape): 0.45 for the most timid fish,
+ * 0.9 for the boldest fish. Habituation raises the threshold, and so does surface breathing, up to
  * 0.95. */
 float startle_threshold(const struct fish *fish);
 
@@ -81,8 +81,8 @@ enum escape_stage {
 
 enum escape_stage escape_stage(const struct fish *fish);
 
-/* Returns true while a C-start (escape) determines the turn and the bend of the fish. This time
- * consists of stage 1 (bend into a C), stage 2 (flip of the tail) and the recoil. */
+/* Returns true while a C-start (escape) determines the turn and the bend of the fish: in stage 1
+ * (bend into a C), in stage 2 (flip of the tail), and while the body bends back afterwards. */
 bool escape_on_path(const struct fish *fish);
 
 /* Returns the duration, s, of the first stage of a C-start, in which a fish of this length bends

@@ -233,7 +233,7 @@ void surface_resolve(struct fish *fish, const struct perception *around)
     case AIR_GULPS:
         fish->speed_goal_m_s = around->params->swim_speed * fish->length_m;
         resolve_rise(fish);
-        /* The fish nods and bobs with every gulp. */
+        /* The pitch and the height of the fish oscillate slightly with every gulp. */
         turn = F_TAU * (float)gulp_phase(fish, around->tick) / (float)gulp_ticks(fish);
         fish->pitch_goal_rad = own_pitch_rad(fish) + NOD_RAD * f_sin(turn);
         fish->climb_goal_m_s =

@@ -32,9 +32,9 @@ bool surface_calls(const struct fish *fish, uint32_t index, const struct percept
  * fish would never reach the surface. */
 void surface_rise(struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Sets the state of a fish that tank_stage_all() places as a gulping fish. If the top of the body
- * is at the surface, the fish immediately begins a series of gulps (a bout) of the longest
- * duration. Otherwise the fish rises first. */
+/* Sets the state of a fish that tank_stage_all() places in GAIT_SURFACE, the gait of a fish that
+ * breathes at the surface. If the top of the body is at the surface, the fish immediately begins a
+ * series of gulps (a bout) of the longest duration. Otherwise the fish rises first. */
 void surface_stage(struct fish *fish, const struct behavior_params *params);
 
 /* Advances surface breathing by `around->dt_s`: the loss of stamina in water with little oxygen,
@@ -43,8 +43,8 @@ void surface_stage(struct fish *fish, const struct behavior_params *params);
 bool surface_tick(struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Sets the goals of a fish that breathes at the surface; called at the end of swim_resolve(). The
- * goal of the snout is 2 mm above the surface, with a small bobbing. The fish climbs and sinks at 3
- * cm/s at most, unless it is startled. */
+ * goal of the snout is 2 mm above the surface, with a small motion up and down. The fish climbs and
+ * sinks at 3 cm/s at most, unless it is startled. */
 void surface_resolve(struct fish *fish, const struct perception *around);
 
 /* Returns true while the mouth of a gulping fish is in the surface film, which is rich in
@@ -58,8 +58,8 @@ float surface_gulp(const struct fish *fish, uint32_t tick);
 /* Returns the opening of the mouth: 0 is closed, 1 is fully open. */
 float surface_gape(const struct fish *fish, uint32_t tick);
 
-/* Returns true if a gulp began in the last `dt_s` seconds before `tick`. A new gulp makes a
- * ring-shaped wave. */
+/* Returns true if a gulp (one opening and closing of the mouth) began in the last `dt_s` seconds
+ * before `tick`. The caller then makes a ring-shaped wave. */
 bool surface_gulps(const struct fish *fish, uint32_t tick, float dt_s);
 
 /* Starts the dive of a startled fish whose body stands out of the water. Returns true if the fish

@@ -95,15 +95,15 @@ void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, 
         f_wrap_angle(fish->heading_rad + (1.0f - decay_fraction(dt_s, SHUN_TAU_S)) * off_rad);
 }
 
-/* Returns true if the fish turns at the full rate of a C-start (escape). A fish with other fish
- * close beside it turns more slowly. */
+/* Returns true if the fish turns at the full rate of a C-start (escape). The turn is slower after
+ * the C-start, and while other fish are close beside the fish. */
 static bool starts_freely(const struct fish *fish)
 {
     return fish->room >= 1.0f && escape_on_path(fish);
 }
 
-/* Returns true if the fish turns at the rate of a kick, the fast turn at the beginning of a tail
- * beat. A fish with other fish close beside it turns more slowly, so that the other fish can move
+/* Returns true if the fish turns at the full rate of a kick, the fast turn at the beginning of a
+ * tail beat. The turn is slower while other fish are close beside the fish, so that they can move
  * away. */
 static bool kicks(const struct fish *fish, const struct perception *around)
 {
@@ -126,9 +126,9 @@ static float turn_rate_limit_rad_s(const struct fish *fish, const struct percept
     }
 }
 
-/* Returns how slowly the fish accelerates: the factor by which one tick multiplies the difference
- * between the speed and a higher speed goal. Except in an escape, the factor depends only on the
- * length of the fish, so it is computed once and stored in struct fish. */
+/* Returns the factor [0, 1) by which one tick multiplies the difference between the speed and a
+ * higher speed goal. A larger factor means slower acceleration. Except in an escape, the factor
+ * depends only on the length of the fish, so it is computed once and stored in struct fish. */
 static float speed_up_factor(const struct fish *fish)
 {
     const float start_keep = decay_fraction(DT, START_TAU_S);
@@ -139,8 +139,8 @@ static float speed_up_factor(const struct fish *fish)
     return known ? fish->speed_up_keep : decay_fraction(DT, gait_run_up_s(fish->length_m));
 }
 
-/* Returns how slowly the fish loses speed: the factor by which one tick multiplies the difference
- * between the speed and a lower speed goal. */
+/* Returns the factor [0, 1) by which one tick multiplies the difference between the speed and a
+ * lower speed goal. A larger factor means slower deceleration. */
 static float slow_down_factor(const struct fish *fish, const struct behavior_params *params)
 {
     if (fish->gait == GAIT_ESCAPE) {
@@ -148,8 +148,8 @@ static float slow_down_factor(const struct fish *fish, const struct behavior_par
     }
     const bool runs_out =
         fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, params);
-    /* In a glide, drag changes the speed v by dv/dt = -v^2 / D, where D is
-     * gait_glide_m(). */
+    /* In a glide, drag changes the speed v by dv/dt = -v^2 / D. D is gait_glide_m(), the distance
+     * of a glide in which the speed falls to 1/e. */
     if (params->glides && fish->gait == GAIT_SWIM && !runs_out) {
         return decay_fraction(DT, gait_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
     }
@@ -194,8 +194,8 @@ void swim_resolve(struct fish *fish, const struct perception *around)
     fish->pitch_goal_rad = f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX);
     if (starts) { /* A fish in an escape does not brake. */
         fish->brake = 1.0f;
-    } else { /* Removes the bend of a C-start (escape). The bend also remains if a poi (paper scoop)
-                lifts the fish during its C-start. */
+    } else { /* Removes the bend that a C-start (escape) leaves if it ends early, for example
+              * because a poi (paper scoop) lifts the fish. */
         fish->bend_goal_rad = 0.0f;
     }
     surface_resolve(fish, around);

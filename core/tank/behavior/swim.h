@@ -44,11 +44,11 @@ void swim_resolve_drawn(struct fish *fish, float speed_goal_m_s);
 /* Advances a fish by one tick according to its goals: the fish turns, climbs, accelerates or
  * glides, and moves.
  *
- * The velocity in this tick is the sum of the fish's own velocity (forward and climb) and the
- * pushes. The magnitude of the sum is limited to gait_speed_max_m_s(). If the fish's own forward or
- * climb speed is higher, for example in a burst or an escape, the sum is limited to that speed
- * instead. The own speed decays below gait_speed_max_m_s() within half a second after the burst or
- * the escape.
+ * The velocity in this tick is the sum of the velocity of the fish's own swimming (forward and
+ * climb) and `push_m_s` (fish.h), the velocity that other fish and the flow add. The magnitude of
+ * the sum is limited to gait_speed_max_m_s(). If the fish's own forward or climb speed is higher,
+ * for example in a burst or an escape, the sum is limited to that speed instead. The own speed
+ * decays below gait_speed_max_m_s() within half a second after the burst or the escape.
  *
  * Returns the largest distance that any point of the body moved, m. */
 float swim_move(struct fish *fish, const struct behavior_params *params);
@@ -61,8 +61,8 @@ bool swim_fall(struct fish *fish);
  * and the bend to the velocity. `forward` is the unit vector along the fish's forward axis. */
 void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward);
 
-/* A distance longer than any tank. A fish whose `way_m` (distance moved since the last broad-phase
- * query) grows by this distance makes a new query necessary. */
+/* Distance that is added to `way_m` (struct shoal) of a fish to force a new broad-phase query, the
+ * search for nearby fish. The distance is longer than any tank. */
 #define SWIM_FAR_M 1000.0f
 
 /* All fish of a tank as arrays that are indexed by fish. */

@@ -49,13 +49,15 @@
 #define BEAT_FAST_LENGTHS_PER_S 4.0f
 #define BEAT_MIN_HZ 0.5f
 
-/* The next constants define the width of the tail's stroke. A width of 1 means that the tail swings
- * over a fifth of the body length from tip to tip. The stroke widens with the frequency up to 5 Hz
- * and then keeps its width (Bainbridge 1958). In a glide the tail only trails behind the body. */
-#define STROKE_SLOW 0.25f /* Width of the tail's stroke at the lowest frequency of the tail beat. */
+/* The next constants define the amplitude of the tail. An amplitude of 1 means that the tail swings
+ * over a fifth of the body length from tip to tip. The amplitude grows with the frequency of the
+ * tail beat up to 5 Hz and then stays constant (Bainbridge 1958). In a glide the tail only trails
+ * behind the body. */
+#define STROKE_SLOW 0.25f /* Amplitude of the tail at the lowest frequency of the tail beat. */
 #define STROKE_FULL_HZ 5.0f
 #define STROKE_GLIDE 0.15f
-/* Fraction of the tail's stroke width above STROKE_SLOW that remains in a glide. */
+/* Factor, in a glide, on the part of the amplitude that grows with the frequency of the tail
+ * beat. */
 #define STROKE_TRAIL 0.35f
 
 SIMD_BEGIN
