@@ -25,7 +25,7 @@ static inline void try_axis(struct separation *separation, float gap_m, float ma
     }
 }
 
-/* Box b in the coordinates of box a. Testing axis i of box a fills row i of `cosine` and of
+/* Box b in the coordinates of box a. The test of axis i of box a fills row i of `cosine` and of
  * `size`. */
 struct view_of_b {
     const struct box *a, *b;

@@ -67,8 +67,9 @@ vec3 box_extent_m(const struct box *box);
 vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius_m);
 
 struct touch {
-    /* A value > 0 is the gap between the box and the shape. If the shape is far away, the value is
-     * a lower bound of the gap. A value < 0 is the negated penetration depth. */
+    /* A value > 0 is the gap between the box and the shape, which is a ring or a hull. If the shape
+     * is far away, the value is a lower bound of the gap. A value < 0 is the negated penetration
+     * depth. */
     float gap_m;
     /* Unit vector along which the box leaves the shape soonest. The vector is undefined if the
      * shape is far away. */

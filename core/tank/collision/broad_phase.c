@@ -12,9 +12,9 @@
  * turns. */
 #define REACH_SPARE_M 0.0035f
 #define REACH_SPARE 1.2f
-/* Largest number of fish for which broad_phase_update_moved() searches again. The function counts
- * the fish that moved farther than the last query allows, and compares each counted fish with all
- * other fish. For more counted fish, a new query of all fish is as fast. */
+/* Largest number of fish that broad_phase_update_moved() handles. The function compares each fish
+ * that moved farther than the last query allows with all other fish. If there are more such fish, a
+ * new query of all fish is as fast. */
 #define AGAIN_MAX 8u
 /* Radius of the sphere around a fish's box, divided by the length of the fish. The radius is half
  * the diagonal of the box, which is 5.5 cm for a fish of 5 x 2 x 1 cm. */
@@ -112,9 +112,10 @@ bool broad_phase_is_stale(const struct broad_phase *broad_phase)
     return farther;
 }
 
-/* Adds a pair of fish to the contact list if the two fish could touch before the next query. The
- * stored gap is the present gap plus the motion of `other` since its last query, because
- * contact_is_apart() subtracts that motion. */
+/* Adds a pair of fish to the contact list if the two fish could touch before the next query.
+ * contact_is_apart() later subtracts the distance that each fish moved since its last query.
+ * `other` has already moved a part of this distance, so the stored gap is the present gap plus that
+ * part. */
 static void contacts_add_pair(struct broad_phase *broad_phase, uint32_t fish, uint32_t other)
 {
     CORE_ASSERT(fish != other);

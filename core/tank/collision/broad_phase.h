@@ -23,7 +23,7 @@ enum body_flag {
     BODY_AIRBORNE = 2,
     BODY_NEAR_OBSTACLE = 4, /* The fish could touch an obstacle in this substep. */
     BODY_GULPING = 8,       /* The fish gulps, so its snout may be above the surface. */
-    BODY_REVERTED = 16,     /* The fish returned to its pose of the previous tick. */
+    BODY_REVERTED = 16,     /* The contact solver moved the fish back to its previous pose. */
     /* The contact list was full, so a contact of the fish is missing in the list. */
     BODY_UNLISTED = 32,
 };
@@ -103,8 +103,8 @@ struct broad_phase_search {
     bool contacts_only;
 };
 
-/* Moves each fish to the position of its body, which the contact solver moved. Adds the distance to
- * `way_m`, the distance that the body moved since the last query. */
+/* Moves each fish to the position of its body, because the contact solver moves only the bodies.
+ * Adds the distance to `way_m`, the distance that the body moved since the last query. */
 void broad_phase_sync(struct broad_phase *broad_phase, struct fish *fish);
 
 /* Returns the distance that the fish is expected to move before the next query, computed from its
@@ -116,15 +116,16 @@ float broad_phase_reach_m(const struct fish *fish);
 bool broad_phase_is_stale(const struct broad_phase *broad_phase);
 
 /* Moves the contacts whose fish could touch in this tick to the front of the list, and stores their
- * number in `contact_count`. The gap of such a contact, minus the distances that its fish moved
- * since the query, is smaller than the distance that the contact solver may move them. Contacts
- * with a fish that left the water since the query are excluded. */
+ * number in `contact_count`. A contact is moved to the front if its present gap is smaller than the
+ * distance by which the contact solver may move the two fish. The present gap is the gap at the
+ * last query minus the distances that the two fish moved since then. Contacts with a fish that left
+ * the water since the query are left out. */
 void broad_phase_select_contacts(struct broad_phase *broad_phase);
 
-/* Searches the neighbours of only those fish that moved farther than the last query covers, at a
- * tenth of the cost of broad_phase_update(). Calls broad_phase_select_contacts() at the end and
- * returns true. Returns false and changes nothing if too many fish moved that far or if the contact
- * list could overflow. */
+/* Searches for the nearby fish of only those fish that moved too far for the results of the last
+ * query. The function takes a tenth of the time of broad_phase_update(). Calls
+ * broad_phase_select_contacts() at the end and returns true. Returns false and changes nothing if
+ * too many fish moved too far or if the contact list could overflow. */
 bool broad_phase_update_moved(struct broad_phase *broad_phase, const struct fish *fish);
 
 /* Finds every pair whose personal spaces overlap. Sets the avoidance advice and the repulsion of

@@ -6,8 +6,8 @@
 #include "core/base/rng.h"
 #include "core/tank/behavior/swim.h"
 
-/* Gap to another fish below which a fish has too little room to turn fast and turns more slowly. In
- * a fast turn, the fish's tail would sweep this distance in a few ticks. */
+/* Gap to another fish below which a fish turns more slowly. In a fast turn, the tail of the fish
+ * would sweep through this gap in a few ticks. */
 #define ROOM_GAP_M 0.005f
 #define ROOM_MIN 0.2f
 /* Number of pairs by which a prefetch precedes the use of the prefetched data. Testing this number
@@ -206,7 +206,7 @@ void broad_phase_update(struct broad_phase *broad_phase, const struct fish *fish
     };
     run_query(&query, &of, true);
     /* If the contact list overflowed, a second search lists only the pairs that could touch in this
-     * tick. A new query is then due soon. */
+     * tick. The next query is then due soon. */
     if (broad_phase->touch_count > broad_phase_contact_max(broad_phase)) {
         run_query(&query, &of, false);
     }

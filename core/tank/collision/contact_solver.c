@@ -18,7 +18,7 @@
 #define TOPPLE_ROUND 5
 #define PART_STEP_MAX_M 0.002f /* Largest push of a body in one round of the contact solver. */
 #define CLEAR_ROUNDS 4u
-/* Capacity of struct close: contacts whose gaps SIMD code measures together. */
+/* Capacity of struct close: number of contacts whose gaps are measured together by SIMD code. */
 #define CLOSE_MAX 64u
 
 vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const struct body *body)
@@ -28,8 +28,8 @@ vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const 
     const float reach_m = body->half_x_m + body->half_y_m + body->half_z_m;
     const vec3 beyond_low = v3_sub(body->centre_m, bounds->low_m);
     const vec3 below_high = v3_sub(bounds->high_m, body->centre_m);
-    /* The body is so far inside the tank that it reaches no wall, floor or surface in any
-     * orientation. */
+    /* A body that is farther than `reach_m` from all walls, the floor and the surface touches none
+     * of them in any orientation. */
     if (beyond_low.x > reach_m && below_high.x > reach_m && beyond_low.y > reach_m &&
         below_high.y > reach_m && beyond_low.z > reach_m && below_high.z > reach_m) {
         return body->centre_m;
@@ -160,8 +160,8 @@ static void clear_obstacle(const struct solver_step *all, uint32_t index, uint32
     }
 }
 
-/* Moves a body off the obstacles near it, so that no push of the solver drives the body into an
- * obstacle. */
+/* Moves a body off the obstacles near it. Called after a push by another fish, which may have
+ * driven the body into an obstacle. */
 static void clear_if_beside(const struct solver_step *all, uint32_t index)
 {
     if (all->broad_phase->flags[index] & BODY_NEAR_OBSTACLE) {
@@ -171,8 +171,8 @@ static void clear_if_beside(const struct solver_step *all, uint32_t index)
     }
 }
 
-/* List of contacts whose gaps must be measured, because the two bodies may have moved together
- * since the gap was stored. SIMD code measures several gaps of the list at a time. */
+/* List of contacts whose gaps must be measured again, because the two bodies may have approached
+ * each other since the last measurement. SIMD code measures several gaps of the list at a time. */
 struct close {
     uint32_t count;
     uint32_t contact[CLOSE_MAX];
@@ -203,8 +203,8 @@ static bool relax(const struct solver_step *all)
 {
     CORE_ASSERT(all->broad_phase->contact_count <= all->broad_phase->near_count);
     uint32_t parted = 1;
-    /* Measures the gap of each contact whose bodies may have moved together since the gap was
-     * stored. Most of these bodies prove to be apart. */
+    /* Measures the gap of each contact whose bodies may have approached each other so far that they
+     * touch. Most of these bodies prove to be apart. */
     struct broad_phase *broad_phase = all->broad_phase;
     struct close close;
     close.count = 0;
@@ -226,7 +226,7 @@ static bool relax(const struct solver_step *all)
         for (uint32_t c = 0; c < broad_phase->contact_count; c++) {
             struct contact *contact = &broad_phase->contact[c];
             if (!contact_is_apart(all, contact, 0.0f) && part_pair(all, contact, round)) {
-                /* The push may have moved a fish into an obstacle. Moves such a fish out of the
+                /* The push may have moved the two fish into an obstacle, so they are moved off the
                  * obstacle. */
                 clear_if_beside(all, contact->a);
                 note_moved_body(all, contact->a);

@@ -85,16 +85,16 @@ struct contact_solver {
      * instead. */
     vec3 step_began_m[TANK_FISH_MAX];
     struct angles began_angles[TANK_FISH_MAX + 1u];
-    /* Limit for each body: the greatest distance from its position at the start of the substep to
-     * which the solver may move it. */
+    /* Largest distance of each body from its position at the start of the substep. The solver may
+     * not move the body farther away. */
     float step_max_m[TANK_FISH_MAX];
     /* Result of the substep for each fish (enum solver_result). */
     uint8_t result[TANK_FISH_MAX];
-    /* Round of the penetration check that moved each fish last, counted from 1. 0 means that no
-     * round moved the fish. */
+    /* Number of the last round (one pass of the penetration check) in which each fish was moved,
+     * counted from 1. 0 means that the fish was moved in no round. */
     uint16_t fresh_round[TANK_FISH_MAX];
-    /* Round of the penetration check that last undid motion of each obstacle, counted from 1. 0
-     * means that no round undid motion. */
+    /* Number of the last round (one pass of the penetration check) that undid motion of each
+     * obstacle, counted from 1. 0 means that no round undid motion. */
     uint16_t reaction_round[TANK_OBSTACLE_MAX];
     uint32_t beside_count;
     fish_index beside[TANK_FISH_MAX]; /* Fish that could touch an obstacle in this substep. */

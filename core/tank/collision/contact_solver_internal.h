@@ -6,8 +6,8 @@
 #include "core/tank/collision/contact_solver.h"
 #include "core/tank/collision/obstacle.h"
 
-/* Tolerance for rounding errors, by which a penetration may appear to be deeper although no body
- * moved. */
+/* Tolerance for rounding errors. A measured penetration can grow by up to this depth although no
+ * body moved. */
 #define SOLVER_ROUNDING_M 1e-6f
 
 /* Data that the functions of the contact solver share in one substep of a tick. */

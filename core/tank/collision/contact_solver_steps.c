@@ -91,9 +91,9 @@ void contact_solver_end(struct contact_solver *solver, const struct broad_phase 
     for (uint32_t o = 0; o < place->obstacle_count; o++) {
         struct obstacle *obstacle = &place->obstacles[o];
         const struct course *course = &solver->course[o];
-        /* Reentry computes the previous position of the obstacle from `step_m`. Therefore `step_m`
-         * becomes the motion of the whole tick. An obstacle whose motion the solver undid loses
-         * velocity. */
+        /* reentry.c computes the previous position of the obstacle from `step_m`. Therefore
+         * `step_m` becomes the motion of the whole tick. An obstacle whose motion the solver undid
+         * loses velocity. */
         obstacle->step_m = v3_sub(obstacle->centre_m, course->from_m);
         obstacle->turned = course->turned && !(obstacle->reaction & REACTION_ROTATION);
         if (obstacle->reaction & REACTION_POSITION) {

@@ -81,9 +81,9 @@ void narrow_grid_layout(struct spatial_grid *grid, float width_m, float breadth_
     const uint32_t cell_max = fish_capacity(fish_count) / (TANK_FISH_MAX / SPATIAL_GRID_CELL_MAX);
     CORE_ASSERT(width_m > 0.0f && breadth_m > 0.0f);
     CORE_ASSERT(reach_m > 0.0f);
-    /* A cell is so large that the floor of the tank has at most `cell_max` cells along a side. A
-     * cell is also slightly larger than `reach_m`, so that rounding never puts two nearby fish two
-     * cells apart. */
+    /* A cell has at least the side `reach_m`, plus a reserve against rounding, so that two nearby
+     * fish are never two cells apart. A cell is also so large that the floor of the tank has at
+     * most `cell_max` cells along a side. */
     grid->cell_m = f_max(1.0001f * reach_m, f_max(width_m, breadth_m) / (float)cell_max);
     for (;;) {
         grid->columns = cells_along(width_m, grid->cell_m);

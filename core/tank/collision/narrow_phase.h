@@ -76,10 +76,10 @@ static inline uint32_t narrow_grid_cell_of_item(const struct spatial_grid *grid,
     return cell;
 }
 
-/* Returns the range of items (fish) in `cell` and in the next cell to the right. The search tests
- * an item of `cell` only against the later items of this range, and against the items of
- * narrow_grid_below(). All other nearby items come earlier in the order of the cells, so the search
- * has already tested those pairs. */
+/* Returns the range of items (fish) in `cell` and in the next cell to the right. For an item of
+ * `cell`, the search tests only the later items of this range and the items of narrow_grid_below().
+ * The pairs with all other nearby items have already been tested from those items, which come
+ * earlier in the order of the cells. */
 static inline struct grid_range narrow_grid_beside(const struct spatial_grid *grid, uint32_t cell)
 {
     const uint32_t last = (cell + 1u) % grid->columns > 0 ? cell + 1u : cell;

@@ -1,4 +1,5 @@
-/* narrow_phase_boxes_simd.c -- the separating-axis test of box.c for several pairs at a time. */
+/* narrow_phase_boxes_simd.c -- computes the separating-axis test of box.c for several pairs of
+ * boxes at a time. */
 #include "core/tank/collision/narrow_phase_simd.h"
 
 #include "core/base/mem.h"

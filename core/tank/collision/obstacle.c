@@ -55,12 +55,11 @@ vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m)
 
 /* ---- Constants of the contact with ring, paper and hull -------------------------------------- */
 
-/* Largest number of times in one substep that an obstacle gives way: the contact solver undoes a
- * part of the obstacle's motion, because a fish blocks it. The next time, the solver undoes the
- * whole motion. */
+/* Largest number of times in one substep that the contact solver undoes a part of an obstacle's
+ * motion, because a fish blocks the obstacle. The next time, the solver undoes the whole motion. */
 #define GIVE_MAX 8u
-/* Extra distance by which an obstacle that gives way moves back from a fish, so that rounding does
- * not leave a penetration. */
+/* Extra distance by which a blocked obstacle moves back from a fish, so that rounding does not
+ * leave a penetration. */
 #define GIVE_MIN_M 0.00002f
 /* Smallest distance that the contact solver allows between the centre of a fish and the paper of a
  * poi. */
@@ -72,8 +71,8 @@ vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m)
  * half of the paper's sideways speed. A faster paper gives the fish more of its sideways speed,
  * because the flow presses the fish more strongly onto the paper. */
 #define PIN_M_S 0.12f
-/* Strength of the push that makes a fish glide over the ring of a poi. The value is the largest
- * move along the ring's normal, as a multiple of the fish's penetration into the ring. */
+/* Largest push along the normal of a poi's ring, as a multiple of the fish's penetration into the
+ * ring. This push makes a fish glide over the ring. */
 #define GLIDE 1.5f
 /* Largest distance from the plane of a poi's paper at which a fish can touch the paper in one
  * tick. */
@@ -141,9 +140,10 @@ static struct side disc_side_of(const struct obstacle *disc, const struct body *
     const vec3 q1 = vec_basis_to_body(&disc->axes, away);
     const vec3 q0 = vec_basis_to_body(&old.axes, v3_sub(before_m, old.centre_m));
     const float side = q0.y < 0.0f ? -1.0f : 1.0f;
-    /* The place where the fish crossed the plane of the paper decides whether paper is there. `t`
-     * is the fraction of the fish's path in this substep up to that place. 1 means that the fish
-     * did not cross the plane, so the code tests its present place. */
+    /* A fish that crossed the plane of the paper may have passed outside the paper or through a
+     * hole. Therefore the place of the crossing is tested. `t` is the fraction of the fish's path
+     * in this substep up to that place. If the fish did not cross the plane, `t` is 1, and the
+     * present place is tested. */
     const float t = side * q1.y < 0.0f ? q0.y / (q0.y - q1.y) : 1.0f;
     if (!paper_holds(disc, f_lerp(q0.x, q1.x, t), f_lerp(q0.z, q1.z, t)) ||
         f_abs(q1.y) > NEAR_PLANE_M) {

@@ -38,9 +38,8 @@ struct obstacle {
     vec3 centre_m;
     /* Unit normal of the plane of a disc (poi). The normal points to the upper side of the disc. */
     vec3 normal;
-    vec3 velocity_m_s; /* Velocity that the obstacle has if no fish blocks its motion. */
-    /* Fraction [0, 1] of its intended motion that the obstacle could not make when it moved last,
-     * because fish blocked it. */
+    vec3 velocity_m_s; /* Velocity that the obstacle would have if no fish blocked its motion. */
+    /* Fraction [0, 1] of the intended motion that fish prevented when the obstacle moved last. */
     float stalled;
     float radius_m; /* Outer radius of the ring or of the bowl's mouth. */
     float depth_m;  /* Depth of a bowl's hull below its mouth. */
@@ -73,7 +72,7 @@ struct obstacle {
 #define RING_TUBE_PER_RADIUS 0.07f
 
 /* Returns the velocity with which the obstacle pushes water and approaches fish. The velocity is
- * zero for an obstacle that fish block completely, even if the player continues to move the poi. */
+ * zero if fish block the obstacle completely, even if the player continues to move the poi. */
 static inline vec3 obstacle_goes_m_s(const struct obstacle *obstacle)
 {
     return v3_scale(obstacle->velocity_m_s, 1.0f - obstacle->stalled);

@@ -9,10 +9,10 @@
  * Normally a fish whose contact is missing in a full contact list is reverted to its previous pose.
  * In a pile such a fish is only pushed, because a reverted fish would stay in the pile forever. */
 #define PILE 2u
-/* Upper limit of the rounds in which the check only undoes motion of obstacles. The check changes
- * each of eight obstacles at most nine times: eight times a part of the motion, then the rest.
- * These 72 rounds and a last round without changes are below the limit, which includes a
- * reserve. */
+/* Upper limit of the number of rounds in which the penetration check changes no fish and only
+ * undoes motion of obstacles. There are up to eight obstacles. The check undoes a part of an
+ * obstacle's motion at most eight times, and then the rest, which takes 9 rounds per obstacle and
+ * 72 rounds in total. The limit is higher to leave a reserve. */
 #define ROUNDS_SPARE 256u
 
 static float pair_depth_m(const struct body *a, const struct body *b)
@@ -20,8 +20,8 @@ static float pair_depth_m(const struct body *a, const struct body *b)
     return f_max(0.0f, -body_gap(a, 0.0f, b, 0.0f).body_m);
 }
 
-/* Records that a fish returns (reverts) to its previous angles. Only the first substep rotates
- * fish; in a later substep a revert undoes only a push. */
+/* Records that a fish reverts (returns) to its angles at the start of the tick. Only the first
+ * substep rotates fish, so a revert in a later substep needs no record. */
 static void note_turned_back(const struct solver_step *all, uint32_t index)
 {
     if (all->solver->substep == 0) {

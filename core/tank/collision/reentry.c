@@ -21,8 +21,8 @@
 /* Speed at which a fish in reentry slides sideways off the paper of a poi (paper scoop), which
  * would otherwise lift the fish out of the water again. */
 #define SLIDE_M_S 0.3f
-/* Speed of the push that a fish in reentry gives to a swimming fish that it overlaps. The value is
- * also the upper limit of all pushes on that swimming fish. */
+/* Speed at which a fish in reentry pushes a swimming fish aside that it overlaps. The value is also
+ * the upper limit of all pushes on that swimming fish. */
 #define ASIDE_M_S 0.06f
 #define HURRY_ALARM 0.5f
 #define BURST_S 0.6f
@@ -41,13 +41,13 @@
 #define AGAIN_TICKS 8u
 #define SEEK_M_S 0.3f
 /* Radius around a fish in reentry within which find_gap() searches for a gap between other fish:
- * about one body length. The radius must be below 6 cm (NEAR_PLANE_M), because obstacle.c detects
- * that a fish crossed the paper only if the new place is within that distance of the paper. */
+ * about one body length. The radius must be below NEAR_PLANE_M (6 cm) of obstacle.c, because
+ * obstacle.c ignores the paper of a poi at a larger distance, and the fish could then pass through
+ * the paper. */
 #define SEEK_M 0.05f
 #define SEEK_SHELLS 14u
 
-/* Returns the number of ticks for which the fish has been in reentry, since it came back into the
- * water. */
+/* Returns the number of ticks since the fish came back into the water (reentry). */
 static uint32_t loose_ticks(const struct fish *fish)
 {
     return (uint32_t)(fish->gait_left_s * (float)CORE_TICK_HZ + 0.5f);
@@ -105,8 +105,9 @@ static void come_down(const struct tank *tank, struct fish *fish)
     fish->position_m.y = f_max(fish->position_m.y, high_m);
 }
 
-/* Returns the gap between a fish in reentry at the pose `there`, whose index is `index`, and fish
- * `other`. Returns a large gap if fish `other` is the same fish, does not swim or is not near. */
+/* Returns the gap between two fish. `there` is a fish in reentry, with the index `index`, at a pose
+ * that is tested. The other fish has the index `other`. Returns a large gap if both indices are
+ * equal, or if fish `other` does not swim or is not near. */
 static struct box_gap gap_to_fish(const struct tank *tank, const struct fish *there, uint32_t index,
                                   uint32_t other)
 {
@@ -160,9 +161,9 @@ static bool part_from_obstacles(const struct fish *fish, vec3 before_m,
     return is_clear;
 }
 
-/* Handles a fish that touches the paper of a moving poi and has no room to move away. Moves the
- * fish along with the paper, even above the water surface. The fish later slides off over the ring,
- * so no fish passes through paper. Returns true if the fish was moved along. */
+/* Keeps a fish from passing through the paper of a moving poi if the fish has no room to move away.
+ * Moves the fish along with the paper, even above the water surface. The fish later slides off over
+ * the ring. Returns true if the fish was moved along. */
 static bool keep_off_paper(struct fish *fish, vec3 before_m, const struct obstacle *obstacles,
                            uint32_t obstacle_count)
 {
@@ -231,8 +232,9 @@ static void swim_off(const struct tank *tank, struct fish *fish)
     fish->falls = false;
 }
 
-/* Moves a fish toward the nearest gap if the pushes did not free the fish within SEEK_TICKS. After
- * PUT_TICKS, places the fish into the gap. */
+/* Searches for a free gap between the other fish in every AGAIN_TICKS-th tick, and turns the
+ * velocity of the fish toward the nearest gap. After PUT_TICKS in reentry, places the fish into the
+ * gap instead and ends its reentry. */
 static void seek_gap(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                      uint32_t obstacle_count)
 {
@@ -254,8 +256,9 @@ static void seek_gap(struct tank *tank, uint32_t index, const struct obstacle *o
 
 /* ---- One tick of a fish in reentry ----------------------------------------------------------- */
 
-/* Moves a fish in reentry. A fish on its way to a gap ignores the pushes by other fish, because
- * these pushes would lead the fish away from the gap. */
+/* Moves a fish in reentry for one tick. Other fish push the fish until it has been in reentry for
+ * SEEK_TICKS. Then the fish ignores their pushes, because they would push the fish away from the
+ * gap that it moves to. */
 static void move_dropped_fish(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                               uint32_t obstacle_count)
 {
@@ -277,8 +280,8 @@ static void move_dropped_fish(struct tank *tank, uint32_t index, const struct ob
     }
     const bool seeks = loose_ticks(fish) >= SEEK_TICKS && swims;
     push_m = seeks ? push_m : v3_add(push_m, fish_push_m);
-    if (swims) { /* Pushes move the fish only in the water. Above the water, the fish only slides
-                    off the paper and over the ring. */
+    if (swims) { /* Pushes move the fish only in the water. A fish above the water only slides off
+                    the paper of a poi and over its ring. */
         fish->position_m = v3_add(fish->position_m, v3_limit(push_m, PUSH_MAX_M));
     }
     come_down(tank, fish);
