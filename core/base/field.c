@@ -17,8 +17,8 @@ struct field_cursor field_begin(const struct field_table *table, const void *obj
     };
 }
 
-/* Returns the member that the visit reaches after the current member of `level`. Returns the first
- * member if there is no current member, and NULL after the last member. */
+/* Returns the member that follows the current member of `level`, in memory or in the table. Returns
+ * the first member if there is no current member, and NULL after the last member. */
 static const struct field *next_member(const struct field_level *level, bool in_memory_order)
 {
     const struct field_table *table = level->table;

@@ -18,13 +18,14 @@ enum field_form {
      * bits, supplies the high bits of the word, and the next member the low bits. */
     FORM_HIGH,
     FORM_SIGN, /* The member is an int8_t from -1 to 1. The hash reads the number plus 1. */
-    /* Recordings of formats older than `since` lack the number. The hash reads the number and its
-     * tag only if the number is not 0, so that the hashes of older recordings stay the same. */
+    /* Recordings of formats older than `since` lack the number. If the number is not 0, the hash
+     * reads the number after its `tag`, a constant that identifies the number. If the number is 0,
+     * the hash reads nothing, so that the hashes of older recordings stay the same. */
     FORM_LATER,
     FORM_STRUCTS, /* The member is an array of structs, whose members are listed in `table`. */
     FORM_SKIPPED, /* The hash does not read the member. */
-    /* The hash reads each number as one word. The table has another entry for the same member, so a
-     * visit in memory order skips this entry. */
+    /* The hash reads each number as one word. The table also lists the member in another entry, so
+     * a visit of the members in memory order skips this entry. */
     FORM_AGAIN,
 };
 
@@ -42,7 +43,7 @@ struct field {
     uint32_t offset; /* Offset of the member in its struct, in bytes. */
     uint32_t size;   /* Size of the member in bytes. */
     uint32_t count;  /* Length of the member as an array of numbers. */
-    /* Offset in the struct, in bytes, of the uint32_t that counts the elements in use.
+    /* Offset in bytes, within the struct, of the uint32_t that holds the number of elements in use.
      * FIELD_ALL_USED means that all elements are in use. */
     uint32_t count_offset;
     /* For FORM_LATER: tag that the hash reads before the first element. Each further element has
@@ -79,8 +80,8 @@ struct field {
         default: 4)
 #define FIELD_ENTRY(member, member_form, first_tag, members, used)                                 \
     FIELD_PART(member, sizeof FIELD_MEMBER(member), member_form, first_tag, members, used, 0)
-/* Describes the `bytes` bytes that begin with `member`. They may be a part of `member`, or an array
- * element together with the elements after it. */
+/* Describes the `bytes` bytes that begin with `member`. These bytes may be a part of `member`, or
+ * an array element together with the elements after it. */
 #define FIELD_PART(member, bytes, member_form, first_tag, members, used, first_format)             \
     { .name = #member,                                                                             \
       .table = (members),                                                                          \
@@ -98,7 +99,8 @@ struct field {
 #define FIELD_BYTES(member) FIELD_ENTRY(member, FORM_RAW, 0, NULL, FIELD_ALL_USED)
 #define FIELD_HIGH(member, shift) FIELD_ENTRY(member, FORM_HIGH, shift, NULL, FIELD_ALL_USED)
 #define FIELD_SIGN(member) FIELD_ENTRY(member, FORM_SIGN, 0, NULL, FIELD_ALL_USED)
-/* A member that recordings have since format 8, or since format `format`. */
+/* Describes a member that recordings contain since format 8 (FIELD_LATER) or since format `format`
+ * (FIELD_SINCE). */
 #define FIELD_LATER(member, tag) FIELD_SINCE(8, member, tag)
 #define FIELD_SINCE(format, member, tag)                                                           \
     FIELD_PART(member, sizeof FIELD_MEMBER(member), FORM_LATER, tag, NULL, FIELD_ALL_USED, format)
@@ -132,14 +134,14 @@ struct field {
 /* Largest depth of structs within structs. */
 #define FIELD_DEPTH_MAX 6u
 
-/* State of a visit, which reaches all members of an object one after another, including the members
- * of nested structs. */
+/* State of a visit, a loop that reaches all members of an object one after another, including the
+ * members of nested structs. */
 struct field_cursor {
     /* True to visit the members in their order in memory. False to visit the members in the order
      * of the tables. */
     bool in_memory_order;
-    /* Number of entries of `level` in use, one for each nested struct that the visit is in. 0 means
-     * that the visit has ended. */
+    /* Number of entries of `level` in use: one for the object, and one for each nested struct that
+     * the visit is in. 0 means that the visit has ended. */
     uint32_t depth;
     struct field_level {
         const struct field_table *table;

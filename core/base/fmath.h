@@ -55,7 +55,8 @@ static inline float f_smoothstep(float low, float high, float x)
 float f_floor(float x);
 float f_sin(float x); /* |error| < 2e-6 for |x| < 1000. */
 float f_cos(float x); /* |error| < 2e-6 for |x| < 1000. */
-/* Returns an angle in (-pi, pi], with an error below 3e-6. Returns 0 for (0, 0). */
+/* Returns the angle of the point (x, y) in (-pi, pi], with an error below 3e-6. For (0, 0) the
+ * result is 0. */
 float f_atan2(float y, float x);
 float f_acos(float x); /* Clamps x to [-1, 1] first. The error is below 1e-4. */
 /* Clamps x to [-87, 88] first. The relative error is below 3e-6. */

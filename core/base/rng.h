@@ -50,7 +50,7 @@ enum rng_purpose {
     RNG_SOUND,
     RNG_TEST,
     RNG_FISH_START_GAIT,
-    /* Fraction of its first gait's duration that a fish still has at the start. */
+    /* Part of the first gait's duration that is left at the start, as a random fraction. */
     RNG_FISH_START_LEFT,
     RNG_FISH_SHARP_TURN, /* Sharp turn of a fish at the start of a burst. */
     RNG_ESCAPE_STRAY,
@@ -61,13 +61,13 @@ enum rng_purpose {
     RNG_BOWL_POUR,
     RNG_FISH_LENGTH,
     RNG_FISH_AIR,    /* Decision whether a fish rises for surface breathing. */
-    RNG_FISH_GULP,   /* Duration of a bout of gulps at the surface. */
+    RNG_FISH_GULP,   /* Duration of a bout of a fish, a series of gulps at the surface. */
     RNG_ESCAPE_TURN, /* Turn of a fish in the first stage of a C-start (startle.h). */
     RNG_STARTLE_LATENCY,
     RNG_WATER_BUBBLE, /* Position where a bubble of the air pump bursts. */
     RNG_FISH_KICK,    /* Turn of a fish at a kick of its tail. */
     RNG_CONTACT_LOT,  /* Random choice of the contacts that a full contact list keeps. */
     RNG_TANK_SEED,    /* Seed of a tank that a game mode opens. */
-    RNG_SESSION,      /* Seed of the next session. */
+    RNG_SESSION,      /* Seed of the next session, which begins with a new call of core_init(). */
     RNG_PIN,          /* Salt of a new PIN. */
 };

@@ -35,7 +35,7 @@
 #define SIMD_BEGIN _Pragma("GCC visibility push(hidden)")
 #define SIMD_END _Pragma("GCC visibility pop")
 
-/* Gives the name of the build of kernel `name` for the number of lanes `lanes`, which is 0, 4 or 8.
+/* Gives the name of a build of the kernel `name`. `lanes` is the number of lanes: 0, 4 or 8, where
  * 0 means 4. Example: SIMD_PICK(lanes, swim_move_block)(shoal, first). */
 #ifdef __x86_64__
 #define SIMD_LANES_MAX 8u
@@ -108,8 +108,8 @@ static inline void simd_store_row(void *first, size_t stride, flanes row)
 #endif
 }
 
-/* In each group of four lanes, LOW(a, b) is a[0], b[0], a[1], b[1], and HIGH(a, b) is a[2], b[2],
- * a[3], b[3]. */
+/* LOW and HIGH interleave the vectors a and b. In each group of four lanes, LOW(a, b) is a[0],
+ * b[0], a[1], b[1], and HIGH(a, b) is a[2], b[2], a[3], b[3]. */
 #ifdef SIMD_WIDE
 #define LOW(a, b) __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13)
 #define HIGH(a, b) __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15)
@@ -165,9 +165,9 @@ static inline flanes simd_abs(flanes a)
     return (flanes)((ilanes)a & 0x7fffffff);
 }
 
-/* Minimum and maximum, which equal those of f_min() and f_max() in every case. If the operands are
- * equal or one operand is NaN, the result is the second operand, as of the x86 instructions. clang
- * compiles the plain form to these instructions, but gcc does not. */
+/* Minimum and maximum with the same results as f_min() and f_max(). If the operands are equal or
+ * one operand is NaN, the result is the second operand, as for the x86 instructions. clang compiles
+ * the comparison to these instructions, but gcc does not. */
 #if defined(__SSE2__) && defined(SIMD_WIDE) && !defined(__clang__)
 #define SIMD_MIN_OP(a, b) __builtin_ia32_minps256(a, b)
 #define SIMD_MAX_OP(a, b) __builtin_ia32_maxps256(a, b)

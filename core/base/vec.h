@@ -66,7 +66,7 @@ static inline float v3_length(vec3 a)
     return f_sqrt(v3_dot(a, a));
 }
 
-/* Returns the horizontal unit vector in which a level body with the yaw `yaw_rad` faces. */
+/* Returns the horizontal unit vector along which a level body with the yaw `yaw_rad` faces. */
 static inline vec3 v3_heading(float yaw_rad)
 {
     return v3(-f_sin(yaw_rad), 0.0f, -f_cos(yaw_rad));

@@ -3,8 +3,8 @@
  *
  * The results of blend_lanes.c and blend.c are equal to the last bit (tested by
  * test_blend_lanes.c). For each vertex, a block reads 16 bytes of the vertex and 8 bytes for each
- * key, and writes 24 bytes. Memory bandwidth is intended to limit the speed, rather than
- * arithmetic (measured by `make bench-morph`). */
+ * key, and writes 24 bytes. The goal is that only the memory bandwidth limits the speed, and not
+ * the arithmetic (measured by `make bench-morph`). */
 #include "core/morph/blend_lanes.h"
 
 #include "core/base/panic.h"
@@ -65,8 +65,8 @@ static inline flanes signed_as(flanes t, flanes x)
  * opposite sign. */
 static inline struct simd_v3 unfold_down(ilanes words)
 {
-    const ilanes code = (words >> 16) + 255; /* The value of `code` equals the value of `code` in
-                                                unfold() of blend.c minus 127 * 256. */
+    const ilanes code = (words >> 16) + 255; /* `code` is smaller by 127 * 256 than `code` in
+                                                unfold() of blend.c. */
     const flanes x = __builtin_convertvector((ilanes)(code >> 8), flanes);
     const flanes y = __builtin_convertvector((ilanes)((code & 255) - 127), flanes);
     const flanes down = simd_abs(x) + simd_abs(y) - 127.0f;
@@ -168,8 +168,8 @@ static inline struct simd_v3 rotate_axis(struct simd_v3 axis, flanes w, struct s
 
 static const struct anchor_pose at_rest = { .turn = { 0.0f, 0.0f, 0.0f, 1.0f } };
 
-/* Rotates and moves each point by its anchor. The result for a point without an anchor is bit for
- * bit unchanged. Adding 0 changes only the value -0, and no blended coordinate is -0. */
+/* Rotates and moves each point by its anchor. A point without an anchor keeps its bits, because
+ * only 0 is added. Adding 0 changes only the value -0, and no blended coordinate is -0. */
 static inline struct point_lanes carry(const struct blending *b, uint32_t first,
                                        struct point_lanes p)
 {

@@ -5,8 +5,8 @@
 #include "core/base/simd.h"
 #include "core/morph/morph.h"
 
-/* Blends whole blocks of four vertices, starting at vertex 0, and leaves at least one vertex at the
- * end. Returns the index of the first vertex that is not blended. */
+/* Blends blocks of four vertices, beginning with vertex 0. At least one vertex at the end is not
+ * blended. Returns the index of the first vertex that is not blended. */
 uint32_t blend_blocks(const struct species_mesh *mesh, uint32_t key_count,
                       const struct morph_pose *pose, vec3 *positions, vec3 *normals);
 

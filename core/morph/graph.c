@@ -8,8 +8,9 @@
 #include "core/morph/cubic.h"
 
 #define SUM_ERROR_MAX 1e-6f
-/* Smallest pivot of the elimination. A smaller pivot would cause an exaggeration of more than ten
- * times, which is an error in the graph. */
+/* Smallest pivot of the Gauss-Jordan elimination that computes the exaggerated key shapes. A
+ * smaller pivot would cause an exaggeration of more than ten times, which is an error in the
+ * graph. */
 #define PIVOT_MIN 0.1f
 
 static struct graph_verdict check_knot(const struct graph *graph, uint32_t key_count, uint8_t index)
@@ -66,8 +67,8 @@ static void straight_weights(const struct graph *graph, uint32_t key_count, floa
     const float t =
         f_clamp((progress - from->progress) / (to->progress - from->progress), 0.0f, 1.0f);
     for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
-        /* The interpolation gives exact values at both knots. The result is negative only if a knot
-         * has a negative weight. */
+        /* The interpolation returns exactly the weights of a knot at that knot. A result is
+         * negative only if a knot has a negative weight. */
         weights[i] = i < key_count ? from->weight[i] * (1.0f - t) + to->weight[i] * t : 0.0f;
     }
 }

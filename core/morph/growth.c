@@ -33,9 +33,9 @@ static float curve_lead_m(const struct growth *growth, float age_days)
     return f_max(growth->length_inf_m * grown - last->length_m, 0.0f);
 }
 
-/* Returns the length at an age before the last measured point. At the last point, the growth rate
- * is the initial growth rate of the curve that continues the table. This rate is limited so that
- * the table stays monotone. */
+/* Returns the length at an age before the last measured point. At that point, the growth rate
+ * equals the initial growth rate of the curve for older fish, so that the length has no corner. The
+ * growth rate is limited so that the length stays monotone. */
 static float among_points_m(const struct growth *growth, float age_days)
 {
     struct cubic_point points[GROWTH_POINT_MAX];

@@ -19,9 +19,9 @@ static uint32_t last_key(const struct species_card *card)
     return card->key_count - 1u;
 }
 
-/* Returns true if progress between `key` and the next key is computed from length. The growth curve
- * must then be monotone between both keys and change in the same direction as the lengths of the
- * keys. */
+/* Returns true if progress between `key` and the next key is computed from length. This requires
+ * that the growth curve is monotone between both keys, and that the curve and the lengths of the
+ * keys change in the same direction. */
 static bool is_length_monotone(const struct species_card *card, uint32_t key)
 {
     const float *length = &card->key_length_m[key], *age = &card->key_age_days[key];
@@ -122,8 +122,9 @@ float life_age_days(const struct species_card *card, float progress)
 }
 
 /* Returns the length by the hand-drawn size curve (the purple curve of the 2005 thesis). The curve
- * is interpolated logarithmically between two knots, like the length between two keys. Therefore a
- * knot with the progress and the length of a key does not change the curve. */
+ * is interpolated logarithmically between two knots, in the same way as the length between two
+ * keys. Therefore an additional knot with the progress and the length of a key does not change the
+ * curve. */
 static float scale_by_hand_m(const struct species_card *card, float progress)
 {
     const struct scale_knot *to = &card->scale_knots[1];

@@ -32,7 +32,8 @@
 
 /* Size of a flank for each body form. `lengths` is the distance from back to belly in body lengths,
  * and `taper` is the fraction by which this distance is smaller at the tail root. The marks use
- * these constants in place of the mesh, because spots are round enough with the constants. */
+ * these constants and not the mesh, because the constants are accurate enough to make spots look
+ * round. */
 static const struct {
     float lengths, taper;
 } flanks[] = {
@@ -98,17 +99,17 @@ static float chance(uint32_t cell, uint32_t seed, uint32_t purpose)
     return (float)((h ^ h >> 15) >> 8) / 16777216.0f;
 }
 
-/* Returns the distance, in cells, from `x` to the nearest coordinate at which a spot's centre may
- * lie. `x` is one coordinate of a point, in cells, measured from the edge of the spot's cell at
- * which this coordinate is smallest. */
+/* Returns by how much a coordinate of a point is outside the range of a spot's centre. `x` is the
+ * coordinate in the cell of the spot, in which 0 and 1 are the edges. The centre lies in [CELL_RIM,
+ * 1 - CELL_RIM], and for `x` in this range the result is 0. */
 static float to_middle(float x)
 {
     return f_max(f_max(CELL_RIM - x, x - (1.0f - CELL_RIM)), 0.0f);
 }
 
-/* Returns the cover of a mark with about `count` spots on each flank. The area of the mark is a
- * grid of cells, and each cell has one spot at a random place. Only the nine cells around the point
- * are tested.
+/* Returns the cover of a mark with about `count` spots on each flank. A grid divides the area of
+ * the mark into cells, and each cell has one spot at a random place. Only the spots of the nine
+ * cells around the point are tested.
  *
  * Every column of the grid has the same number of cells. Toward the tail, the distance from back to
  * belly is shorter, and therefore the cells are less high. The spots are smaller there, so that no
@@ -169,8 +170,9 @@ static float rows(const struct species_mark *m, const struct mark_point *at)
     return disc(f_sqrt(dx * dx + dy * dy * lower * lower), m->width * thinner);
 }
 
-/* Returns the cover of equally spaced lines. `offset` is the distance of the point from the first
- * limit of the mark, across the lines, and `extent` is the distance between both limits. */
+/* Returns the cover of `count` equally spaced lines. `extent` is the distance between the first and
+ * the last limit of the mark, across the lines. `offset` is the distance of the point from the
+ * first limit. */
 static float lines(const struct species_mark *m, float offset, float extent)
 {
     const float count = f_max((float)m->count, 1.0f);

@@ -69,8 +69,8 @@ enum graph_fault {
     GRAPH_NEGATIVE, /* The weight of key `key` at knot `knot` is negative or NaN. */
     /* The weights of knot `knot` sum to `value`, which differs from 1 by more than 1e-6. */
     GRAPH_SUM,
-    /* The graph requests exaggerated shapes (`solved`), but graph_solve() fails: key `key` has too
-     * little weight at its own progress. */
+    /* graph_solve() fails for a graph that requests exaggerated shapes (`solved`), because key
+     * `key` has too little weight at its own progress. */
     GRAPH_UNSOLVABLE,
 };
 
@@ -80,8 +80,8 @@ struct graph_verdict {
     float value;
 };
 
-/* Returns the first fault of a graph, with the knot, the key and the value that cause the fault.
- * The fault is GRAPH_GOOD if the graph is valid. */
+/* Returns the first fault of a graph, with the knot, the key and the value that cause the fault. If
+ * the graph is valid, the fault is GRAPH_GOOD. */
 struct graph_verdict graph_check(const struct graph *graph, uint32_t key_count);
 
 /* Writes the weights of all keys at `progress` in [0, 1]. Each weight is at least 0, and the
@@ -116,8 +116,8 @@ enum graph_template {
     TEMPLATE_COUNT,
 };
 
-/* Weight of the middle key at its own progress for the species hirame (2005 thesis, section
- * 4.2). */
+/* Weight of the middle key at its own progress in the 2005 thesis, section 4.2, for the species
+ * hirame (a flatfish). */
 #define SIMULTANEOUS_PEAK 0.70f
 
 /* Writes a standard graph to `graph`. Asserts that `template_id` is not TEMPLATE_OWN and that
@@ -179,7 +179,8 @@ struct morph_pose {
     struct anchor_pose {
         vec3 position;    /* Position of the anchor in the body frame. */
         struct quat turn; /* Rotation of the anchor; the identity if the anchor does not rotate. */
-        /* Poses of the mesh's anchors. Only the first `anchor_count` entries are valid. */
+        /* Poses of the anchors of the mesh. Only the first `anchor_count` (struct species_mesh)
+         * entries are valid. */
     } anchor[ANCHOR_MAX];
 };
 
@@ -240,9 +241,10 @@ vec3 morph_normal(int16_t folded);
 /* Returns the 16-bit encoding of a unit normal. The function is the inverse of morph_normal(). */
 int16_t morph_fold_normal(vec3 normal);
 
-/* Converts the coordinate `x`, in body lengths, to the 16-bit unit of struct species_point, reach /
- * 32767. Rounds to the nearest integer, with ties away from 0. Coordinates beyond `reach` are
- * clamped. For one axis, the function is the inverse of morph_position(). */
+/* Converts the coordinate `x`, in body lengths, to the unit of the 16-bit integers of struct
+ * species_point, which is reach / 32767. Rounds to the nearest integer, with ties away from 0.
+ * Coordinates beyond `reach` are clamped. For one axis, the function is the inverse of
+ * morph_position(). */
 int16_t morph_count(float x, float reach);
 
 /* ---- straight.c: the method of the 2005 thesis, for comparison ------------------------------ */
@@ -257,8 +259,10 @@ struct straight_memory {
 };
 
 /* Writes to `out` a species with the same key shapes as `from` but without anchors and masks. Every
- * vertex then moves in straight lines from key to key (2005 thesis, eq. 3.1 and 3.2). A vertex that
- * has an anchor is converted to the body frame in each key, with an error of at most one count.
+ * vertex then moves in straight lines from key to key (2005 thesis, eq. 3.1 and 3.2). The
+ * coordinates of a vertex that has an anchor are converted to the body frame in each key, with an
+ * error of at most one unit of struct species_point.
+ *
  * `out` shares unchanged tables with `from`, so `from` must outlive `out`. `out` must not be
  * `from`. */
 void straight_species(const struct species *from, struct straight_memory *memory,

@@ -15,12 +15,11 @@
 /* Shine of the back as a fraction of the flank's shine. The back shines less, because its scales
  * lie under dark skin. */
 #define BACK_SHINE 0.35f
-/* Body coordinate u from which the skin's paint blends into the tail fin's paint, up to the tail
- * root at u = 1. */
+/* Body coordinate u of the place where the skin's paint begins to change into the tail fin's paint.
+ * The change ends at the tail root, u = 1. */
 #define STALK_FROM 0.96f
 #define STALK_FIN 0.9f /* Fraction of the tail fin's paint in the blend at the tail root. */
-/* Opacity of a mark's pigment on a transparent larva. The mark is visible but slightly
- * translucent. */
+/* Opacity of a mark on a transparent larva, which makes the mark slightly translucent. */
 #define MARK_OPAQUE 0.85f
 
 static vec3 rgb(uint32_t colour)

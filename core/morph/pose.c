@@ -50,8 +50,8 @@ struct cell {
 };
 
 /* Returns the cell of the skin's grid that contains the body coordinates (u, v). The ring is found
- * by bisection, because u increases from ring to ring. A u beyond the last ring belongs to the last
- * cell. */
+ * by bisection, because u increases from ring to ring. If u is beyond the last ring, returns a cell
+ * before the last ring. */
 static struct cell skin_cell(const struct species_mesh *mesh, float u, float v)
 {
     const uint32_t row = mesh->grid_spokes + 1u, first = mesh->grid_first;
@@ -82,9 +82,9 @@ struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_coun
     const struct cell cell = skin_cell(mesh, u, v);
     struct anchor_pose at = { .turn = { 0.0f, 0.0f, 0.0f, 1.0f } };
     vec3 normal = { 0.0f, 0.0f, 0.0f };
-    /* The cell consists of two triangles, whose common side joins corner 1 and corner 2. The
-     * interpolation with these weights of the corners gives a point exactly on the drawn
-     * surface. */
+    /* The cell consists of two triangles, whose common side joins corner 1 and corner 2. `shares`
+     * are the weights of the four corners, with which the interpolation gives a point exactly on
+     * the drawn surface. */
     const float along = cell.along, round = cell.round;
     const bool far = along + round > 1.0f;
     const float shares[4] = { far ? 0.0f : 1.0f - along - round, far ? 1.0f - along : round,

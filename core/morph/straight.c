@@ -35,9 +35,9 @@ static void straighten_mesh(const struct species_mesh *from, uint32_t key_count,
                             struct straight_memory *memory, struct species_mesh *out)
 {
     CORE_ASSERT(lod < SPECIES_LOD_COUNT && from->vertex_count <= MESH_VERTEX_MAX);
-    /* Doubles `reach` until `reach` is at least the largest coordinate of all keys in the body
-     * frame, or is REACH_MAX. `reach` is the largest coordinate that the 16-bit integers of struct
-     * species_point can store. */
+    /* `reach` is the largest coordinate that the 16-bit integers of struct species_point can store.
+     * The loop doubles `reach` until it is at least the largest coordinate of all keys in the body
+     * frame, or REACH_MAX. */
     float reach = from->reach;
     for (uint32_t key = 0; key < key_count && from->anchor_count > 0; key++) {
         morph_key_pose(from, key_count, key, &memory->pose);

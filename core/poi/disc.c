@@ -15,8 +15,9 @@
 /* Normal force coefficient C_N of a disc that moves along its normal. Published values are 1.12 to
  * 1.17. */
 #define CN_BROADSIDE 1.17f
-/* Normal force coefficient C_N, divided by sin(alpha), at a small angle alpha. A circular wing has
- * 1.79 per radian at very small angles, and more at larger angles. */
+/* Normal force coefficient C_N divided by sin(alpha), at a small angle alpha between the disc and
+ * its velocity. A circular wing has 1.79 per radian at very small angles, and more at larger
+ * angles. */
 #define CN_PER_SINE 2.0f
 #define NU_M2_S 1.0e-6f     /* Kinematic viscosity of water at 20 C. */
 #define ENTRY_HALF_M 0.005f /* Half the range of heights over which a level disc submerges. */

@@ -1,8 +1,8 @@
-/* poi.c -- moves the ring of a poi (the paper scoop) in one tick: by an implicit integration step
- * of the spring between hand and ring, and by the wrist.
+/* poi.c -- moves the ring of a poi (the paper scoop) in one tick. A spring between hand and ring
+ * moves the centre of the ring, and a damped spring about three axes (the wrist) rotates the ring.
+ * Both springs are integrated implicitly.
  *
- * The wrist is a damped spring about three axes. A poi whose input has no angles tips over its
- * bowl automatically. */
+ * A poi whose input has no angles tips over its bowl automatically. */
 #include "core/poi/poi.h"
 
 #include "core/base/mem.h"
@@ -196,8 +196,8 @@ static struct poi_target tipped_target(const struct poi *poi, const struct bowl 
 
 /* ---- Rotation of the ring -------------------------------------------------------------------- */
 
-/* Added inertia and drag coefficient of the water for a rotation about one axis. Both members are 0
- * for a rotation about the disc's normal. */
+/* Added moment of inertia and drag coefficient that the water causes for a rotation about one axis.
+ * Both members are 0 for a rotation about the disc's normal. */
 struct turn_water {
     float kg_m2, n_m_s;
 };
@@ -284,8 +284,8 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     } else if (was_immersed > 0.0f && poi->immersed <= 0.0f) {
         poi->splash_m_s = -v3_length(poi->velocity_m_s) - 0.01f;
     }
-    /* An entry into the water (dip) counts as a scoop if more than SCOOP_IMMERSED of the disc is
-     * under water and a player controls the poi. */
+    /* A dip (an entry into the water) counts as a scoop only if more than SCOOP_IMMERSED of the
+     * disc gets under water while a player controls the poi. */
     if (poi->immersed <= 0.0f) {
         poi->is_in = false;
     } else if (!poi->is_in && poi->immersed > SCOOP_IMMERSED) {

@@ -53,7 +53,8 @@ struct poi {
     vec3 hand_m;
     /* Highest recent speed of the hand; the stored value decreases with time. */
     float pace_m_s;
-    /* Motions of the ring that fish blocked in the last tick (bits of enum obstacle_reaction). */
+    /* Motions of the ring that fish blocked in the last tick: bits of enum obstacle_reaction
+     * (position, rotation). */
     uint8_t reaction;
     /* True if walls, floor, a bowl or another ring blocked the ring in this tick. */
     bool stopped;
@@ -69,7 +70,7 @@ struct poi {
     vec3 spin_rad_s;
     /* Low-pass filtered acceleration of the ring, which acts on the carried water and fish. */
     vec3 acceleration_m_s2;
-    /* Output of the first of the two low-pass filter stages for `acceleration_m_s2`. */
+    /* First stage of the low-pass filter, whose second stage gives `acceleration_m_s2`. */
     vec3 jolt_m_s2;
     /* Forces of the water along the normal in this tick: the drag coefficient `drag_n_s_m` and the
      * slam force `slam_n`. */
@@ -173,9 +174,10 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
  * the paper cells of `poi` and is valid only as long as `poi`. */
 struct obstacle poi_obstacle(const struct poi *poi);
 
-/* Applies `ring.reaction` to the poi: a motion that fish blocked is undone. The remaining motion
- * then wets, strains and tears the paper, together with the fish loads that the last catch_tick()
- * wrote. The caller must call this function after the tick of the fish. */
+/* Ends the tick of a poi. `ring` is the result of poi_obstacle(), in which the contact solver has
+ * undone the motion that fish blocked. The function undoes the same motion of the poi. The
+ * remaining motion then wets, strains and tears the paper, together with the fish loads that the
+ * last catch_tick() wrote. The caller must call this function after the tick of the fish. */
 void poi_apply_reaction(struct poi *poi, const struct obstacle *ring);
 
 /* Returns the fraction of the normal water force that still acts on a poi with torn paper. A poi

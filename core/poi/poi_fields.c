@@ -19,7 +19,7 @@ static const struct field_table sheet_load_fields = FIELD_TABLE(sheet_load,
     FIELD(x_m), FIELD(diameter_m), FIELD(z_m), FIELD(force_n));
 #undef STRUCT
 
-/* `stress` is used for display only. */
+/* The hash skips `stress`, which is used for display only. */
 #define STRUCT sheet
 const struct field_table sheet_fields = FIELD_TABLE(sheet,
     FIELD(grade), FIELD(touched), FIELD(soaked), FIELD(ideal), FIELD(radius_m), FIELD(fibre_x),

@@ -4,13 +4,13 @@
 
 #include "core/base/field.h"
 
-/* Members of struct poi, including all nested structs. */
+/* Table of the members of struct poi, including the members of all nested structs. */
 extern const struct field_table poi_fields;
 
-/* Most important members of struct poi. The table does not list the other members. */
+/* Table of the most important members of struct poi. The quick hash reads only these members. */
 extern const struct field_table poi_quick_fields;
 
 extern const struct field_table bowl_fields;
 
-/* Part of struct poi that tests hash separately. */
+/* Table of struct sheet (the paper of a poi), which tests hash separately. */
 extern const struct field_table sheet_fields;

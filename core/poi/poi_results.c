@@ -54,8 +54,9 @@ void poi_apply_reaction(struct poi *poi, const struct obstacle *ring)
     carried_water_tick(poi, axes.up.y);
 }
 
-/* Thin paper absorbs a third of the light, and holes absorb no light. A tilted ring casts an
- * elliptical shade. The function approximates the ellipse by a circle of equal area. */
+/* Computes the shade of a poi. Thin paper absorbs a third of the light, and holes absorb no light.
+ * A tilted ring casts an elliptical shade, which the function approximates by a circle of equal
+ * area. */
 struct shade_cast poi_shade(const struct poi *poi)
 {
     const float flat = f_abs(vec_basis_from_angles(poi->angles).up.y);
@@ -80,8 +81,8 @@ void poi_haptics(const struct poi *poi, struct poi_force *force)
     CORE_ASSERT(poi->load_count <= SHEET_LOAD_MAX);
     const struct basis axes = vec_basis_from_angles(poi->angles);
     const vec3 none = v3(0.0f, 0.0f, 0.0f);
-    /* Total force that caused the change of velocity in this tick. The accelerated mass consists of
-     * the ring and the carried and displaced water and fish. */
+    /* Total force that caused the change of velocity in this tick. The force accelerates the ring,
+     * the carried water and fish, and the displaced water. */
     const vec3 mass_kg = poi_mass_kg(poi);
     const vec3 gain = vec_basis_to_body(&axes, v3_sub(poi->velocity_m_s, poi->before_m_s));
     const vec3 took = v3(mass_kg.x * gain.x, mass_kg.y * gain.y, mass_kg.z * gain.z);

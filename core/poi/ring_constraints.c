@@ -1,9 +1,9 @@
-/* ring_constraints.c -- applies the position constraints of a ring, and separates two rings that
- * touch.
+/* ring_constraints.c -- keeps a ring out of bowl, floor and walls and within the reach of the arm,
+ * and separates two rings that touch.
  *
- * The order of the constraints is bowl, floor, walls and reach of the arm. Two rings are flat
- * discs. The functions test the discs for overlap, find the direction of least overlap, and
- * separate the discs. */
+ * The constraints of a ring are applied in the order bowl, floor, walls and reach of the arm. Two
+ * rings are flat discs. The functions test the discs for overlap, find the direction of least
+ * overlap, and separate the discs. */
 #include "core/poi/poi.h"
 
 #include "core/base/panic.h"
@@ -157,7 +157,8 @@ static bool are_apart(const struct rings *rings)
     const vec3 edge = v3_cross(rings->up_a, rings->up_b), apart_m = rings->apart_m;
     const vec3 normals[] = { rings->up_a, rings->up_b };
     for (int i = 0; i < 2; i++) {
-        /* Unit vector along the projection of `apart_m` onto the plane of a ring. */
+        /* `along` is the projection of `apart_m` onto the plane of ring i. Its direction is a
+         * candidate axis. */
         const vec3 along = v3_muladd(apart_m, normals[i], -v3_dot(apart_m, normals[i]));
         if (shared_m(rings, v3_normalize_or(along, normals[i])) <= 0.0f) {
             return true;

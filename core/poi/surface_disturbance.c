@@ -1,4 +1,4 @@
-/* surface_disturbance.c -- disturbs the water surface by a poi (paper scoop).
+/* surface_disturbance.c -- computes how a poi (paper scoop) disturbs the water surface.
  *
  * A ring that cuts through the surface presses the surface down at two points of its edge. If the
  * ring is faster than the ripples (0.23 m/s), a V-shaped wake forms at each point. */
@@ -14,9 +14,9 @@
 #define HEAVE_MAX_M 0.003f
 #define PLUNGE_MAX_M 0.004f
 #define BOW_RADIUS_M 0.012f
-/* Ratio of two lengths: the depth by which the edge of the ring presses the water surface down, and
- * the ring's horizontal motion in the tick. The edge presses at each point where the edge cuts
- * through the surface. */
+/* Depth by which the edge of the ring presses the water surface down, divided by the ring's
+ * horizontal motion in the tick. The edge presses at each point where the edge cuts through the
+ * surface. */
 #define BOW_SHARE 0.25f
 /* Largest depth by which the edge of the ring presses the water surface down at one point in one
  * tick. */

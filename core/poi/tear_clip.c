@@ -1,4 +1,5 @@
-/* tear_clip.c -- determines the cause of a tear, and records and shows the second around it. */
+/* tear_clip.c -- determines the cause of a tear, records the second around the tear, and returns
+ * the frames of the slow motion. */
 #include "core/poi/tear_clip.h"
 
 #include "core/base/mem.h"
@@ -6,19 +7,20 @@
 
 /* ---- Cause of a tear ------------------------------------------------------------------------- */
 
-/* If a smaller fraction of the ring is under water, the ring counts as in the air. */
+/* Fraction of the ring under water below which the ring counts as in the air. */
 #define DRY_SHARE 0.02f
 /* Acceleration above which a ring in the air counts as jerked. */
 #define JERK_M_S2 3.0f
-/* Mean time (12 s), as a fraction of SHEET_SOAK_TICKS, after which wet paper counts as soaked too
- * long. The stroke of a dip then does 1.7 times the damage that it does to fresh wet paper. */
+/* Time for which the cells of wet paper were wet on average, as a fraction of SHEET_SOAK_TICKS,
+ * above which the paper counts as soaked too long. The value is 12 s. A dip then does 1.7 times the
+ * damage that the same dip does to fresh wet paper. */
 #define SOAKED_SHARE 0.2f
 /* Tension, as a fraction of the strength of fresh wet paper, below which a load counts as moderate.
  * Simulated visitors who move with care reach about 0.5 of that strength. */
 #define MODERATE_SHARE 0.567f
 
-/* Returns the highest tension, N/m, that the loads number `from` to `to` - 1 cause in the paper
- * around the places where they act. */
+/* Returns the highest tension, N/m, that some loads of the poi cause in the paper at their places.
+ * The loads have the numbers `from` to `to` - 1. */
 static float patch_tension_n_m(const struct poi *poi, uint32_t from, uint32_t to)
 {
     float most = 0.0f;
@@ -45,7 +47,8 @@ static float tension_share(const struct poi *poi)
     return poi->strain.tension_max_n_m / sheet_grade(poi->sheet.grade)->wet_n_m;
 }
 
-/* Returns the damage of one tick, which has the exponent SHEET_DAMAGE_EXPONENT. The value is
+/* Returns the damage that the highest tension does in one tick. The damage is the tension, as a
+ * fraction of the strength of fresh wet paper, to the power SHEET_DAMAGE_EXPONENT. The result is
  * positive for a high load and negative for a moderate load. */
 static float haste_in_tick(const struct poi *poi)
 {
@@ -153,7 +156,8 @@ void tear_clip_show(const struct tear_clip *clip, uint32_t elapsed_ticks, struct
     }
     const uint32_t wanted = elapsed_ticks % TEAR_CLIP_LOOP_TICKS / TEAR_CLIP_SHOWN_TICKS;
     const uint32_t at = wanted < clip->count ? wanted : clip->count - 1u;
-    /* The oldest frame is number 0. The speed is that since the previous frame. */
+    /* Number 0 is the oldest frame. The velocity follows from the positions in this frame and in
+     * the previous frame. */
     const uint32_t oldest = TEAR_CLIP_FRAMES + clip->next - clip->count;
     const struct tear_frame *frame = &clip->frames[(oldest + at) % TEAR_CLIP_FRAMES];
     const struct tear_frame *last = &clip->frames[(oldest + at - (at > 0)) % TEAR_CLIP_FRAMES];

@@ -36,7 +36,7 @@ struct sound_recipe {
     float string_hz;
     float string_gain;
     float string_delay_ms;
-    /* Factor (0, 1) by which the string's wave is weakened in each pass through its delay line. */
+    /* Factor (0, 1) by which each pass through the delay line weakens the string's wave. */
     float string_keep;
     /* Duration of the sound, after which its voice is free. All layers and the string must be
      * inaudible when the duration ends. */

@@ -99,8 +99,8 @@ static void string_pluck(struct synth_voice *voice, float hz)
 
 /* ---- Rendering of voices -------------------------------------------------------------------- */
 
-/* Begins a control step (CONTROL_FRAMES frames) of a layer: advances the glide of the frequency,
- * and computes the values `decay`, `cutoff` and `gate` of the step. */
+/* Begins a control step of a layer: advances the glide of the frequency, and computes the members
+ * `decay`, `cutoff` and `gate`, which stay constant for CONTROL_FRAMES frames. */
 static void layer_control(struct synth_layer *state, const struct layer_recipe *layer,
                           uint32_t *noise)
 {
@@ -114,8 +114,8 @@ static void layer_control(struct synth_layer *state, const struct layer_recipe *
     state->gate = 1.0f - layer->roughness * f_abs(noise_next(noise));
 }
 
-/* Adds the next part of a voice to `mix`: the frames up to the end of the present control step, but
- * at most `frame_count`. Returns the number of frames of that part, even if the sound ends
+/* Adds a part of a voice to `mix`. The part ends with the present control step, but has at most
+ * `frame_count` frames. Returns the number of frames of the part, even if the sound ends
  * earlier. */
 static uint32_t voice_step(struct synth_voice *voice, float *mix, uint32_t frame_count)
 {

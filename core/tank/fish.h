@@ -181,9 +181,10 @@ struct fish {
     float escape_course_rad;
 };
 
-/* Returns a height above the still water surface, m. The fish counts as in the air if the top of
- * its body is above this height. The height is FISH_AIRBORNE_M. For a gulping fish the height is
- * greater by the height of its body, because a gulping fish puts its head out of the water. */
+/* Returns the height of the top of the body, m, above which the fish counts as in the air. The
+ * height is measured from the still water surface and is FISH_AIRBORNE_M. For a gulping fish the
+ * height is greater by the height of its body, because a gulping fish puts its head out of the
+ * water. */
 static inline float fish_emerges_m(const struct fish *fish)
 {
     return (fish->gait == GAIT_SURFACE ? fish->height_m : 0.0f) + FISH_AIRBORNE_M;

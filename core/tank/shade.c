@@ -9,12 +9,12 @@
 /* Strength with which a still shade attracts fish. The value is the factor S in eq. 3.5 of the 2013
  * thesis on goldfish behavior, converted to 1/s: 0.01 per frame at 60 frames per second. */
 #define PULL_PER_S 0.60f
-/* A fish that a shade attracts keeps its yaw if its intended velocity is slower than this limit,
- * because the direction of a very slow velocity is nearly random. The intended velocity is the sum
- * of the fish's own velocity and the attraction of shades. */
+/* Lower limit of the speed at which a fish that a shade attracts turns into the direction of its
+ * intended velocity. The intended velocity is the sum of the fish's own velocity and the attraction
+ * of the shades. The direction of a slower velocity is nearly random, so the fish keeps its yaw. */
 #define HARDLY_M_S 0.005f
-/* Nearby fish may push a fish out of a shade. A push of this speed, in body lengths per second,
- * cancels the attraction of the shade completely. A weaker push reduces the attraction. */
+/* Speed, in body lengths per second, at which nearby fish must push a fish out of a shade to cancel
+ * the attraction of the shade completely. A weaker push reduces the attraction. */
 #define FULL_LENGTHS_PER_S 0.1f
 /* Width of the rim around a shade in which the shade already startles fish (design value). */
 #define FRIGHT_RIM_M 0.02f
@@ -134,9 +134,10 @@ float shade_alarm(const struct shade *shade, const struct behavior_params *param
         shade_distance_m(cast, position_m) > cast->radius_m + FRIGHT_RIM_M) {
         return 0.0f;
     }
-    /* The alarm grows with the time since the fish's last decision, but not for the time before the
-     * shade appeared. A weak shade causes little alarm: the shade of a poi's thin paper (paper
-     * scoop) causes a twentieth of the alarm that the shade of a hand-held fan causes. */
+    /* The alarm is proportional to the time since the fish's last decision, or to the age of the
+     * shade if the shade is younger. A weak shade causes little alarm: the shade of the thin paper
+     * of a poi (paper scoop) causes a twentieth of the alarm that the shade of a hand-held fan
+     * causes. */
     const float share = f_clamp(
         (cast->dark - SHADE_SUDDEN_DARK) / (FRIGHT_PLAIN_DARK - SHADE_SUDDEN_DARK), 0.0f, 1.0f);
     return (share * f_sqrt(share)) * f_min(dt_s, shade->age_s) / FRIGHT_TIME_S;

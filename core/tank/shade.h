@@ -107,7 +107,7 @@ bool shade_draw(const struct shade *shades, uint32_t count, const struct behavio
                 const struct fish *fish, struct shade_course *course);
 
 /* Returns the alarm >= 0 that a shade adds to a fish. `dt_s` is the time since the last decision of
- * the fish; time before the shade appeared does not count.
+ * the fish. If the shade is younger than `dt_s`, only its age counts.
  *
  * The shade of a hand-held fan raises the alarm of calm fish above the startle threshold within 17
  * to 33 ms. The nerve latency (startle.h) follows, and the total reaction time is 60 to 150 ms. The

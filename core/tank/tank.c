@@ -8,9 +8,8 @@
 #include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/behavior/swim.h"
 
-/* If an obstacle (a poi or a bowl) moves farther than this distance in a tick, it counts as a poi
- * (paper scoop) that a player moves. The distance per tick corresponds to 12 mm/s, because a tick
- * lasts 1/120 s. */
+/* Distance per tick above which a moving obstacle (a poi or a bowl) counts as a poi (paper scoop)
+ * that a player moves. The distance corresponds to 12 mm/s, because a tick lasts 1/120 s. */
 #define STIRS_M 0.0001f
 #define BUBBLE_TICKS 6u /* Ticks between two bubbles of the pump: 20 bubbles per second. */
 /* Radius of the circle above the air stone within which bubbles reach the surface. */
@@ -48,10 +47,9 @@ struct perception tank_perception(const struct tank *tank, uint32_t tick,
 {
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
     CORE_ASSERT(obstacles || obstacle_count == 0);
-    uint32_t shade_count = TANK_SHADE_MAX; /* Number of entries of tank->shade that each fish must
-                                              test. The loop below leaves out the absent shades at
-                                              the end of the array, which saves time. The number is
-                                              0 if no shade is present. */
+    uint32_t shade_count = TANK_SHADE_MAX; /* Number of entries of tank->shade up to the last shade
+                                              that is present. Each fish tests only these entries,
+                                              which saves time. */
     while (shade_count > 0 && !tank->shade[shade_count - 1u].cast.present) {
         shade_count--;
     }
@@ -83,9 +81,9 @@ static void think_in_turn(struct tank *tank, struct perception around)
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *fish = &tank->fish[i];
         if (fish_swims(fish) && fish_behavior_is_due(fish, i, &around)) {
-            /* True if a falling fish landed on other fish, which now carry it. Such a fish sinks
-             * more slowly than BORNE_M_S. A fish that falls freely into the water sinks at 12 cm/s
-             * or faster. */
+            /* A falling fish that landed on other fish sinks more slowly than BORNE_M_S, because
+             * the other fish carry it. A fish that falls freely into the water sinks at 12 cm/s or
+             * faster. */
             const bool fell =
                 fish->falls && (fish->position_m.y < 0.0f && fish->velocity_m_s.y > -BORNE_M_S);
             around.dt_s = fish_behavior_dt_s(fish, around.tick);

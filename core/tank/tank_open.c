@@ -11,8 +11,8 @@
 #include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/behavior/swim.h"
 
-/* Number of random places that are tried for a fish until a place is not under a bowl. If all
- * places are under bowls, the last place is used. */
+/* Largest number of random start places that are tried for a fish, until a place is found that is
+ * not under a bowl. If all places are under bowls, the last place is used. */
 #define PLACE_TRIES 12u
 /* Largest number of rounds of pushes that separate overlapping fish when a tank is opened. Full
  * tanks take 3 to 48 rounds. */

@@ -28,8 +28,8 @@ float bowl_hull_radius_m(float below_m)
     return BOWL_RADIUS_M * f_sqrt(1.0f - share * share);
 }
 
-/* The result is the integral of pi * r^2 over the depth, from `below_m` to the bottom of the hull,
- * where r is the radius of the hull at each depth. */
+/* Computes the volume as the integral of pi * r^2 over the depth, from `below_m` to the bottom of
+ * the hull, where r is the radius of the hull at each depth. */
 float bowl_room_m3(float below_m)
 {
     const float share = f_clamp(below_m / BOWL_DEPTH_M, 0.0f, 1.0f);
@@ -37,8 +37,9 @@ float bowl_room_m3(float below_m)
     return F_PI * BOWL_RADIUS_M * BOWL_RADIUS_M * BOWL_DEPTH_M * left;
 }
 
-/* Computes the level by Newton's method. The derivative of the volume with respect to the level,
- * which the method needs, is the area of the water surface. */
+/* Computes the distance from the bowl's mouth down to the water surface by Newton's method. The
+ * derivative of the volume with respect to this distance, which the method needs, is the area of
+ * the water surface. */
 float bowl_level_m(const struct bowl *bowl)
 {
     CORE_ASSERT(bowl->water_kg >= 0.0f && bowl->fish_kg >= 0.0f);

@@ -92,14 +92,17 @@ float bowl_level_m(const struct bowl *bowl);
  * bowl in this tick. */
 struct obstacle bowl_obstacle(const struct bowl *bowl);
 
-/* Copies the position and velocity of `hull` to the bowl if `hull.reaction` shows that a fish
- * blocked the bowl. The caller must call this function after the tick of the fish. */
+/* Applies the contact with fish to the bowl. `hull` is the result of bowl_obstacle(), which the
+ * contact solver changed in the tick of the fish. If `hull.reaction` shows that a fish blocked the
+ * bowl, the bowl gets the position and velocity of `hull`. The caller must call this function after
+ * the tick of the fish. */
 void bowl_apply_reaction(struct bowl *bowl, const struct obstacle *hull);
 
 /* Returns the tilt of the bowl as angles for the renderer's scene. */
 struct angles bowl_angles(const struct bowl *bowl);
 
-/* Returns random number `which` in [0, 1) of fish `fish` for the purpose `purpose`. */
+/* Returns a random number in [0, 1) for the fish with the index `fish`. `which` distinguishes the
+ * random numbers that a fish needs for one `purpose`. */
 static inline float bowl_draw(enum rng_purpose purpose, uint32_t seed, uint32_t fish,
                               uint32_t which)
 {

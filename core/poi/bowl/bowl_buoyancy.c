@@ -15,7 +15,9 @@
 /* Coefficient of the quadratic drag of the water on the hull: half the density of water times a
  * drag coefficient of 0.6 times an area of 50 cm^2. */
 #define DRAG_N_S2_M2 1.5f
-#define ALONG_SHARE 0.5f /* Added mass of water, as a fraction of the displaced mass of water. */
+/* Added mass: the water that moves along with the bowl, as a fraction of the mass of the bowl with
+ * its content. */
+#define ALONG_SHARE 0.5f
 /* Highest horizontal speed of the bowl. The value is lower than the speed at which a ring slides
  * off the hull. */
 #define SPEED_MAX_M_S 0.5f
@@ -40,7 +42,7 @@
  * four bowls at a wall. */
 #define PART_ROUNDS 4u
 #define TOUCH_M 0.0015f
-/* Largest horizontal force of a ring on the hull. A larger force would throw the bowl. */
+/* Largest horizontal force of a ring on the hull. A larger force would make the bowl jump. */
 #define PUSH_N_MAX 4.0f
 /* Largest downward force of a ring on the bowl's mouth. This force sinks the bowl by 5 mm. */
 #define PRESS_N_MAX 0.8f
@@ -140,7 +142,7 @@ static void float_on(struct bowl *bowl, const struct tank *tank, vec3 push_n)
     const float heel_per_n = HEEL_SHARE / (GRAVITY_M_S2 * load_kg(bowl));
     /* Water above LOAD_KG_MAX spills out of the bowl. */
     bowl->water_kg = f_max(0.0f, bowl->water_kg - f_max(0.0f, load_kg(bowl) - LOAD_KG_MAX));
-    /* Horizontal motion. */
+    /* Integrates the forces of the mooring, the water and the rings for the horizontal motion. */
     const float kg = (1.0f + ALONG_SHARE) * load_kg(bowl);
     const float weight_n = GRAVITY_M_S2 * load_kg(bowl);
     const vec3 speed = v3_flat(bowl->velocity_m_s);
@@ -154,7 +156,7 @@ static void float_on(struct bowl *bowl, const struct tank *tank, vec3 push_n)
     const vec3 held = v3_limit(next, SPEED_MAX_M_S);
     bowl->velocity_m_s.x = held.x;
     bowl->velocity_m_s.z = held.z;
-    /* Vertical motion and tilt. */
+    /* Integrates the forces for the vertical motion and the tilt. */
     const float freeboard_m = bowl->position_m.y - swell_m;
     const float radius_m = bowl_hull_radius_m(freeboard_m);
     const float stiffness = WATER_KG_M3 * GRAVITY_M_S2 * F_PI * radius_m * radius_m;

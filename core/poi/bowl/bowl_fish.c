@@ -7,15 +7,16 @@
 
 /* Mean angular speed of a circling fish: one lap in about four seconds. */
 #define ROUND_RAD_S 1.6f
-/* Rate at which a fish approaches the depth and the radius of its circle. */
+/* Rate at which a fish in a bowl approaches the depth and the radius of the circle on which it
+ * swims. */
 #define SETTLE_PER_S 2.0f
 /* Fraction by which SETTLE_PER_S is reduced in a full bowl, in which other fish are in the way. */
 #define SETTLE_CROWD 0.9f
 #define HULL_GAP_M 0.003f
 /* Mass of the fish in a bowl above which all fish circle at the same angular speed. */
 #define CROWD_KG 0.080f
-/* Half the length of the capsule's axis, in body lengths. The capsule excludes the thin snout and
- * tail fin. */
+/* Half the length of the axis of the capsule that models a fish, in body lengths. The capsule
+ * excludes the thin snout and tail fin. */
 #define SPINE_HALF 0.32f
 #define GIRTH 0.40f     /* Radius of the capsule as a fraction of the body width. */
 #define PART_SHARE 0.6f /* Fraction of the overlap of two fish that is removed in each tick. */
@@ -45,8 +46,8 @@ static void swim_in_bowl(struct fish *fish, uint32_t index, const struct bowl *b
     const float hull = f_max(0.0f, bowl_hull_radius_m(below_m + half) - HULL_GAP_M);
     const float reach = f_sqrt(f_max(0.0f, hull * hull - end * end));
     const float goal_m = reach * f_sqrt(0.04f + 0.96f * wide);
-    /* At a crowding of 1, all fish circle at the same angular speed, because a faster fish would
-     * collide with other fish. */
+    /* `crowd` in [0, 1] grows with the mass of the fish in the bowl. If `crowd` is 1, all fish
+     * circle at the same angular speed, because a faster fish would collide with other fish. */
     const float crowd = f_smoothstep(0.0f, CROWD_KG, bowl->fish_kg);
     const float spread = 0.5f * (1.0f - crowd);
     const float rad_s =

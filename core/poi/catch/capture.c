@@ -10,8 +10,8 @@
 
 #define ZONE_M 0.06f /* Distance from the paper's plane beyond which no fish can touch the paper. */
 #define SQUEEZE_GAP_M 0.0005f
-/* Distance from the ring up to the hand's target, above which a ring that fish block counts as
- * jammed. At this distance, the hand pulls with 6.5 N. */
+/* Height of the hand's target above the ring from which a ring that fish block counts as jammed. At
+ * this height, the hand pulls the ring up with 6.5 N. */
 #define JAM_PULL_M 0.03f
 /* Number of ticks (0.1 s) after which all fish over a jammed ring have left. The fish leave from
  * the edge inward. */
@@ -72,9 +72,9 @@ bool capture_releases(const struct poi *poi, const struct basis *axes, const str
 {
     const vec3 away = v3_sub(fish->position_m, poi->position_m);
     const float left = 1.0f - (float)poi->jam_ticks / JAM_TICKS;
-    /* The fish lies over the disc if it is above the disc, inside the outer radius, and at least
-     * `from_m` horizontally from the disc's centre. The height of the fish above the disc has no
-     * effect. */
+    /* Tests whether the fish is above the disc. The horizontal distance of the fish from the disc's
+     * centre must be at least `from_m` and below the outer radius. The fish may be at any height
+     * above the disc. */
     const float from_m = f_max(left, 0.0f) * poi_outer_radius_m(poi);
     const float side_m2 = away.x * away.x + away.z * away.z;
     if ((side_m2 < poi_outer_radius_m(poi) * poi_outer_radius_m(poi) &&
@@ -106,7 +106,8 @@ bool capture_releases(const struct poi *poi, const struct basis *axes, const str
  * counts as pushing the ring toward the wall. At this distance the hand spring (HAND_N_M in poi.c)
  * pushes the ring with 0.9 N. */
 #define WALL_PRESS_M 0.004f
-/* Slap strength of a fish that was calm before its capture, relative to a fleeing fish. */
+/* Slap strength of a fish that was calm before its capture, as a fraction of the slap strength of a
+ * fish that fled. */
 #define CALM_VIGOUR 0.55f
 
 void capture_slip_off(const struct poi *poi, struct tank *tank, struct fish *fish)
@@ -198,7 +199,7 @@ void capture_fish(struct poi *poi, uint32_t poi_index, const struct basis *axes,
 #define FALL_HOME_M_S 1.5f
 #define PLOP_M 0.004f /* Depth of the dent that a falling fish makes in the water surface. */
 
-/* Full alarm makes the fish flee as soon as no other fish is in its way. */
+/* Gives the fish the full alarm, so that it flees as soon as no other fish is in its way. */
 void catch_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
 {
     CORE_ASSERT(v3_is_finite(velocity_m_s));
@@ -206,8 +207,9 @@ void catch_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
     reentry_begin(tank, fish, velocity_m_s);
 }
 
-/* Returns the speed on one axis with which a fish beyond a tank wall moves back over the tank; 0
- * inside the walls. At a real stall, people also put a fish back that jumped out. */
+/* Returns the speed on one axis with which a fish that fell beyond a tank wall moves back over the
+ * tank. Returns 0 inside the walls. At a real stall, people also put a fish back that jumped out of
+ * the tank. */
 static float return_speed_m_s(float at_m, float room_m)
 {
     const float out = at_m - f_clamp(at_m, -room_m, room_m);

@@ -22,9 +22,9 @@
 void capture_fish(struct poi *poi, uint32_t poi_index, const struct basis *axes, struct tank *tank,
                   uint32_t index, uint32_t tick);
 
-/* Returns a fish that the poi cannot carry to the water, and moves the fish away from the ring's
- * centre. A caller uses the function if the paper has no room, or if the ring presses the fish
- * against the water surface without lifting the fish. */
+/* Puts a fish that the poi cannot carry back into the water, and moves the fish away from the
+ * ring's centre. A caller uses the function if the paper has no room, or if the ring presses the
+ * fish against the water surface without lifting the fish. */
 void capture_slip_off(const struct poi *poi, struct tank *tank, struct fish *fish);
 
 /* Returns true if the ring presses a fish against a wall of the tank. The ring and the fish must
@@ -35,7 +35,7 @@ bool capture_is_walled(const struct poi *poi, const struct basis *axes, const st
 
 enum fall_end {
     FALL_GOES_ON = 0,
-    FALL_INTO_BOWL, /* The fish is now in a bowl, which counts the fish. */
+    FALL_INTO_BOWL, /* The fish is now in a bowl, and `fish_count` of the bowl includes it. */
     /* The fish is back in the water of the tank. The fish swims as soon as no other fish is in its
      * way. */
     FALL_INTO_WATER,
@@ -50,13 +50,13 @@ void catch_fall_begin(struct carried_fish *carried, vec3 velocity_m_s);
 enum fall_end catch_fall_tick(struct carried_fish *carried, const struct stall *stall,
                               uint32_t *bowl_index);
 
-/* Puts a fish back into the water of the tank: below the surface, inside the walls, and with full
- * alarm. */
+/* Puts a fish back into the water of the tank, below the surface and inside the walls. The fish
+ * gets the full alarm, so that it flees. */
 void catch_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s);
 
-/* Returns true if a swimming fish is above intact paper and near enough to be captured.
- * The position of the fish's centre decides whether the fish is above the paper, because the
- * contact solver lets no fish pass through the paper. `axes` are the poi's axes. */
+/* Returns true if a swimming fish is above intact paper and near enough to be captured. Only the
+ * position of the fish's centre decides whether the fish is above the paper. This is sufficient,
+ * because the contact solver lets no fish pass through the paper. `axes` are the poi's axes. */
 bool capture_touches(const struct poi *poi, const struct basis *axes, const struct fish *fish);
 
 /* Returns true if fish block the ring and the ring presses the fish `fish` against the water

@@ -30,7 +30,7 @@
 #define CALM_TAU_S 3.0f
 /* Factor by which a fish calms down faster while its head is higher than its tail. */
 #define CALM_HEAD_UP 2.5f
-/* Factor by which a fish calms down faster in a deep sag, where the paper surrounds the fish. */
+/* Factor by which a fish calms down faster where the paper sags deeply and surrounds the fish. */
 #define CALM_CRADLE 1.5f
 #define CRADLE_M 0.003f /* Depth of the sag from which CALM_CRADLE applies fully. */
 /* Highest speed that a slap gives to the fish. Few slaps reach this speed. */
@@ -39,12 +39,12 @@
  * for 80 ms, but only the tail slaps. */
 #define HOP_S 0.060f
 #define HOP_SLIP 0.05f /* Coefficient of kinetic friction during a hop. */
-/* Smallest fraction of a fish's weight on the paper (not supported by water) with which the fish
- * can slap and the ring can block the fish. */
+/* Fraction of a fish's weight that the paper must carry so that the fish can slap and the ring can
+ * block the fish. Water carries the rest of the weight. */
 #define AGROUND 0.3f
 #define FOOT_M 0.010f /* Radius of the patch of paper that supports a body. */
-/* Largest slope of the paper that a single body causes. A limit is necessary because the formula
- * for the sag ignores that the ring supports part of a load near the ring. */
+/* Largest slope of the paper that the weight of a single fish causes. The formula for the sag
+ * ignores that the ring supports a part of a load near the ring, so the slope needs a limit. */
 #define LEAN_MAX 0.25f
 /* Speed of a fish that swims off the paper with full vigour, in body lengths per second. */
 #define SWIM_LENGTHS 4.0f
@@ -93,8 +93,8 @@ static float advance_slap(struct carried_fish *carried, const struct fish *fish,
     if (carried->rest_s > 0.0f || dry < AGROUND) {
         return 0.0f;
     }
-    /* Starts a slap and sets `rest_s`, the random time until the next slap: 0.1 to 0.2 s, or 0.5 s
-     * more after a pause. Pauses are more frequent for a calmer fish. */
+    /* Starts a slap and sets `rest_s`, the random time until the next slap: 0.1 to 0.2 s, plus 0.5
+     * s if the fish pauses. A calmer fish pauses more often. */
     const float push =
         f_lerp(SLAP_M_S2_MIN, SLAP_M_S2_MAX, draw_slap(carried, seed, tick, DRAW_FORCE)) *
         carried->vigour;
@@ -153,7 +153,7 @@ static void slide(struct carried_fish *carried, const struct fish *fish,
     carried->z_m += carried->slide_z_m_s * CORE_TICK_S;
 }
 
-/* Stops a fish at the ring, unless the poi is steep or the fish is fast. */
+/* Stops a fish that slides against the ring, unless the poi is steep or the fish is fast. */
 static void stop_at_ring(struct carried_fish *carried, const struct paper_surface *ride)
 {
     const float r = f_sqrt(carried->x_m * carried->x_m + carried->z_m * carried->z_m);

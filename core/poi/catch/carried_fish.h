@@ -21,8 +21,8 @@
 #include "core/poi/paper/sheet.h"
 #include "core/tank/fish.h"
 
-/* Number of ticks (50 ms) for which the ring must be completely above the water before an umpire
- * counts the catch. */
+/* Number of ticks (50 ms) for which the whole ring must be above the water with the fish on it
+ * before the catch is valid. A catch without this time is a foul. */
 #define CARRIED_CLEAR_TICKS (CORE_TICK_HZ / 20u)
 
 enum carried_fish_state {
@@ -41,7 +41,8 @@ struct carried_fish {
     /* Side on which the fish lies: +1 if its back points to the left as seen along its nose, -1 if
      * its back points to the right. */
     int8_t side;
-    /* True if the ring pressed the fish against a tank wall when the fish was captured. */
+    /* True if the ring pressed the fish against a tank wall when the fish was captured, which is a
+     * foul. */
     bool walled;
     /* Number of consecutive ticks in which the whole ring was above the water with the fish on it;
      * at most CARRIED_CLEAR_TICKS. */
@@ -86,8 +87,8 @@ struct paper_surface {
 float carried_fish_half_extent_m(const struct fish *fish, vec3 direction);
 
 /* Advances a lying fish by one tick (1/120 s). The fish slides down a slope or into the sag of the
- * paper. A slap reduces the friction for a moment. A fish with enough water swims off toward its
- * nose, and a calm fish swims more slowly.
+ * paper. A slap reduces the friction for a moment. A fish in enough water swims off the paper in
+ * the direction of its nose, more slowly if the fish is calm.
  *
  * `dry` in [0, 1] is the fraction of the fish's weight that water does not support. `seed` and
  * `key_tick` are the random seed and the tick number that determine the slaps.
@@ -131,9 +132,10 @@ float carried_load_dryness(const struct poi *poi, const struct basis *axes,
 void carried_load_gather(struct poi *poi, const struct basis *axes, float pull_m_s2,
                          const struct fish *fish);
 
-/* Updates the film, the pool and the drops for one tick (1/120 s). Under water, the film and the
- * pool fill up. In air, water drains in three ways. Over the rim, the time constant is 0.15 s
- * divided by the sine of the tilt. Water also drains through holes, and slowly through wet paper.
+/* Updates the water that the poi carries for one tick (1/120 s): the film on the paper, the pool in
+ * its sag, and the falling drops. Under water, the film and the pool fill up. In air, water drains
+ * in three ways. Over the rim, the time constant is 0.15 s divided by the sine of the tilt. Water
+ * also drains through holes, and slowly through wet paper.
  *
  * `up_y` is the vertical component of the poi's unit normal. */
 void carried_water_tick(struct poi *poi, float up_y);

@@ -36,8 +36,8 @@ void carried_load_gather(struct poi *poi, const struct basis *axes, float pull_m
     poi->load_count = 0;
     poi->carried_kg = 0.0f;
     for (uint32_t i = 0; i < poi->carried_count; i++) {
-        /* The load of a slap acts at the fish's tail or body. If the slap ends during this tick,
-         * the force is reduced in proportion to its remaining time. */
+        /* Computes the load of the fish's slap, which acts at the fish's tail or body. If the slap
+         * ends during this tick, the force is reduced in proportion to its remaining time. */
         const struct carried_fish *carried = &poi->carried_fish[i];
         const float share = f_min(1.0f, carried->slap_s * (float)CORE_TICK_HZ);
         if (carried->state == CARRIED_LYING && share > 0.0f) {
@@ -127,7 +127,8 @@ bool carried_support_holds(const struct sheet *sheet, const struct carried_fish 
 /* Drainage time constant of a pool on a vertical ring. At a smaller tilt, the time constant is
  * divided by the sine of the tilt. */
 #define DRAIN_TAU_S 0.15f
-/* Rate at which water above the capacity of the pool drains over the whole rim of a level ring. */
+/* Rate at which a level ring loses the water that is more than the pool can hold. This water drains
+ * over the whole rim. */
 #define RIM_PER_S 3.3f
 /* Sine of the tilt above which water drains only over the lowest point of the rim. */
 #define RIM_SINE 0.1f
@@ -180,8 +181,8 @@ static float run_off(float mass_kg, float keep_kg, float per_s)
     return f_min(mass_kg, keep_kg) + more_kg / (1.0f + per_s * CORE_TICK_S);
 }
 
-/* The carried water of the immersed fraction of the disc is refilled immediately. The rest of the
- * water drains. */
+/* Refills the carried water on the immersed fraction of the disc immediately. The water on the rest
+ * of the disc drains. */
 void carried_water_tick(struct poi *poi, float up_y)
 {
     CORE_ASSERT(poi->immersed >= 0.0f && poi->immersed <= 1.0f);

@@ -5,13 +5,14 @@
 #include "core/base/panic.h"
 #include "core/poi/poi.h"
 
-/* Half the length of the capsule's axis, in body lengths. The capsule excludes the thin snout and
- * tail fin. */
+/* Half the length of the axis of the capsule that models a fish, in body lengths. The capsule
+ * excludes the thin snout and tail fin. */
 #define SPINE_HALF 0.30f
 /* Radius of the capsule as a fraction of the body's extent in the plane. The fraction is less than
  * one half, because bodies taper. */
 #define GIRTH 0.36f
-/* Largest distance by which a fish is moved in one tick to separate overlapping fish; 0.18 m/s. */
+/* Largest distance by which a fish is moved in one tick to separate overlapping fish. The value
+ * equals 0.18 m/s. */
 #define PUSH_MAX_M 0.0015f
 /* Distance between the fish's centre and the ring when the fish's belly touches the ring. */
 #define WALL_M 0.004f

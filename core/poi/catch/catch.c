@@ -18,8 +18,7 @@
 #define SLAP_EVERY_TICKS 8u /* Lowest number of ticks between two slap sounds of a poi. */
 #define TEAR_EVERY_TICKS 14u
 
-struct scoop { /* The poi, the tank and the results, which the functions in this file need in one
-                  tick. */
+struct scoop { /* Data that the functions in this file share in one tick. */
     struct poi *poi;
     uint32_t poi_index;
     const struct stall *stall;
@@ -44,16 +43,18 @@ static bool time_for(uint32_t *last, uint32_t now, uint32_t every)
     return true;
 }
 
-/* Ticks between two creaks of paper in danger, and of paper that is about to tear. */
+/* Ticks between two creaks of the paper: CREAK_TICKS while the paper is in danger, and
+ * CREAK_TICKS_MIN while the paper is about to tear. */
 #define CREAK_TICKS 96u
 #define CREAK_TICKS_MIN 48u
 _Static_assert(CREAK_TICKS % CREAK_TICKS_MIN == 0, "slow creaks are tested when fast creaks are");
-/* Danger (sheet_warning()) from which paper creaks, and from which paper creaks fast. */
+/* Danger (result of sheet_warning()) from which the paper creaks, and danger from which the paper
+ * creaks faster. */
 #define CREAK_FROM 0.3f
 #define CREAK_FAST_FROM 0.7f
 
-/* Plays the creaks of paper that is about to tear. The times of the creaks follow from the number
- * of the tick, so that they need no state. */
+/* Plays the creaks of paper that is about to tear. The number of the tick alone determines the
+ * times of the creaks, so no state is necessary. */
 static void sound_creak(const struct scoop *scoop)
 {
     const struct poi *poi = scoop->poi;
@@ -156,8 +157,8 @@ static bool advance_lying_fish(struct scoop *scoop, struct carried_fish *carried
 {
     CORE_ASSERT(carried->state == CARRIED_LYING);
     struct fish *fish = &scoop->tank->fish[carried->fish];
-    /* An umpire counts a catch only after enough consecutive ticks in which the whole ring is above
-     * the water with the fish on it. */
+    /* A catch is valid only after enough consecutive ticks in which the whole ring is above the
+     * water with the fish on it. */
     if (!scoop->clear) {
         carried->clear_ticks = 0;
     } else if (carried->clear_ticks < CARRIED_CLEAR_TICKS) {

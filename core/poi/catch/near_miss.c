@@ -1,4 +1,4 @@
-/* near_miss.c -- implementation of near_miss.h. */
+/* near_miss.c -- detects that a player almost caught a fish. */
 #include "core/poi/catch/near_miss.h"
 
 #include "core/base/panic.h"
@@ -9,7 +9,7 @@
 /* Ticks between two searches for a fish over the paper. */
 #define SEARCH_TICKS 6u
 
-/* Stores the fish over the paper that is nearest to the ring's centre. */
+/* Stores the index of the fish over the paper that is nearest to the ring's centre. */
 static void note_fish_over(struct near_miss *miss, const struct poi *poi, const struct tank *tank,
                            uint32_t tick)
 {
@@ -26,8 +26,8 @@ static void note_fish_over(struct near_miss *miss, const struct poi *poi, const 
     }
 }
 
-/* Returns true if the poi leaves the water without a fish, and the fish that swam over the paper
- * last is near the rim. */
+/* Returns true if the poi leaves the water without a fish, while the last fish that swam over the
+ * paper is still near the rim. */
 static bool is_missed(const struct near_miss *miss, const struct poi *poi, const struct tank *tank,
                       uint32_t tick)
 {

@@ -10,12 +10,14 @@
 
 #include "core/poi/poi.h"
 
-/* Shortest time between two announcements for one poi. Most dips of a beginner fail, and a word
- * after each of them would disturb. */
+/* Shortest time between two announcements for one poi. Most dips of a beginner fail, and an
+ * announcement after each of these dips would disturb. */
 #define NEAR_MISS_APART_TICKS (8u * CORE_TICK_HZ)
-/* Largest horizontal distance between the outer edge of the ring and a fish that escaped. */
+/* Largest horizontal distance from the outer edge of the ring at which an escaped fish is a near
+ * miss. */
 #define NEAR_MISS_RIM_M 0.03f
-/* Longest time between the last tick in which the fish was over the paper and the lift. */
+/* Longest time from the last tick in which the fish was over the paper to the lift of the poi.
+ * After this time, the escape of the fish is no near miss. */
 #define NEAR_MISS_LIFT_TICKS (2u * CORE_TICK_HZ / 5u)
 
 struct near_miss {

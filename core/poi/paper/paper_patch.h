@@ -30,7 +30,7 @@ bool paper_patch_find(paper_patch_holds *holds, const void *paper, float radius_
 /* Smallest usable share of the paper area. A smaller remainder is only a fringe along the ring. */
 #define PAPER_LEFT_MIN 0.35f
 
-/* Returns true if a fish could lie on the paper: enough area is left, and an undamaged patch exists
- * (paper_patch.h). A hole alone, even in the middle, does not end a round, because a partly torn
- * poi may be used. */
+/* Returns true if a fish could still lie on the paper. At least PAPER_LEFT_MIN of the paper's area
+ * must be left, with an undamaged patch in it. A hole alone, even in the middle, does not end a
+ * round, because the rules allow a partly torn poi. */
 bool paper_can_hold(const struct sheet *sheet);

@@ -8,7 +8,8 @@
 /* Fraction of the ultimate tension below which damage is ignored. At this fraction, the paper would
  * last for half a day. */
 #define LOAD_RATIO_MIN 0.25f
-/* Stress concentration factor at the line between wet and dry paper, which swell differently. */
+/* Stress concentration factor at the line between wet and dry paper. Wet paper swells more than dry
+ * paper, which causes stress at the line. */
 #define WET_LINE_FACTOR 2.5f
 #define STANDING_FACTOR_WORST (STRAIN_EDGE * WET_LINE_FACTOR)
 /* Tension below which the effect of a footprint is ignored, because a lower tension causes no
@@ -20,8 +21,9 @@
 
 /* ---- Stress concentration -------------------------------------------------------------------- */
 
-/* Raises `ratio` of the cells of a row that lie beside a tear to the load of the cell times the
- * stress factor of the tear. A higher ratio stays unchanged. */
+/* Multiplies the load of each cell beside a tear by the stress factor of the tear, and stores the
+ * product in strain->ratio if it is higher than the stored value. `row` selects the row of
+ * cells. */
 static void gather_at_tears(struct strain *strain, const struct sheet *sheet, uint32_t row)
 {
     const uint32_t front = tear_front(&strain->map, row);
@@ -34,8 +36,8 @@ static void gather_at_tears(struct strain *strain, const struct sheet *sheet, ui
     }
 }
 
-/* Multiplies `ratio` of the cells in a row by the stress factor of the line between wet and dry
- * paper. Then applies the stress factors of tears. */
+/* Multiplies strain->ratio of the cells in a row by the stress factor of the line between wet and
+ * dry paper. Then applies the stress factors of tears. */
 static void gather_row(struct strain *strain, const struct sheet *sheet, uint32_t row)
 {
     for (uint32_t column = 0; (sheet->touched && !sheet->soaked) && column < SHEET_SIDE; column++) {
@@ -57,9 +59,9 @@ static void relieve_row(struct strain *strain, uint32_t row)
     }
 }
 
-/* Recomputes `ratio` (load times stress factor, divided by strength) of the cells near holes that
- * changed in this tick. Bit i of `changed` is set if a hole in row i grew. A ratio never decreases
- * here, because the stress beside a growing tear never decreases. */
+/* Recomputes strain->ratio, the load of a cell times its stress factor, near the holes that changed
+ * in this tick. Bit i of `changed` is set if a hole in row i grew. A ratio never decreases here,
+ * because the stress beside a growing tear never decreases. */
 static void regather(struct strain *strain, const struct sheet *sheet, uint32_t changed)
 {
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
@@ -102,8 +104,9 @@ static uint32_t tear_step(struct strain *strain, struct sheet *sheet)
     return gone;
 }
 
-/* Advances the damage by one tick and returns the number of torn cells. A tick without a tear needs
- * no substeps, because damage grows at a constant rate under a constant load. */
+/* Advances the damage by one tick and returns the number of torn cells. A tick is divided into
+ * substeps only if a cell tears, because otherwise the load is constant and the damage grows at a
+ * constant rate. */
 static uint32_t wear_tick(struct strain *strain, struct sheet *sheet)
 {
     uint32_t torn = 0;
@@ -218,11 +221,11 @@ bool sheet_holds(const struct sheet *sheet, float x_m, float z_m)
     return sheet->state[(r * SHEET_SIDE + c)] == CELL_PAPER;
 }
 
-/* Loads between which the danger rises from 0 to 1: paper bears the first for 8 s, and the second
- * for a quarter of a second. */
+/* Range of the load, as a fraction of the strength, in which the danger rises from 0 to 1. Paper
+ * bears WARN_LOAD_FROM for 8 s, and WARN_LOAD_TO for a quarter of a second. */
 #define WARN_LOAD_FROM 0.60f
 #define WARN_LOAD_TO 0.85f
-/* Damage between which the danger rises from 0 to 1. */
+/* Range of the damage in which the danger rises from 0 to 1. */
 #define WARN_DAMAGE_FROM 0.20f
 #define WARN_DAMAGE_TO 0.80f
 

@@ -123,8 +123,8 @@ float sheet_belly(const struct paper_grade *grade, float pressure_pa, float radi
 void sheet_init(struct sheet *sheet, uint8_t grade, float radius_m, uint32_t seed);
 
 /* Changes `sheet` into an ideal sheet for which the membrane formula is exact. Its strength is 1
- * everywhere, and the ring, the wet line and tears cause no stress concentration. Used for
- * measurements only, not in a game. */
+ * everywhere. The ring, tears, and the line between wet and dry paper cause no stress
+ * concentration. Used for measurements only, not in a game. */
 void sheet_idealise(struct sheet *sheet);
 
 /* Advances the sheet by one tick: sag, wetness, damage and tears. `pressure_pa` is the pressure

@@ -5,7 +5,7 @@
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 
-/* Standard deviation of the mean strength of the sheets of one grade, as a fraction of the
+/* Standard deviation of the strength between the sheets of one grade, as a fraction of the
  * strength. */
 #define STRENGTH_SD 0.12f
 /* Standard deviation of the strength between thick and thin patches of pulp (cloud()) within one

@@ -32,7 +32,7 @@ struct tear_map {
     uint32_t hole[SHEET_SIDE];
     uint32_t pair[SHEET_SIDE]; /* Bits of hole cells that share a side with another hole cell. */
     /* Bits of the hole cells that belong to a hole long enough for TEAR_FACTOR_MAX. Such a hole has
-     * three hole cells in a straight line, or two hole cells that touch at a corner. */
+     * three cells in a straight line, or two cells that touch at a corner. */
     uint32_t wide[SHEET_SIDE];
 };
 
@@ -92,8 +92,9 @@ struct strain {
     float ratio[SHEET_CELL_COUNT];
 };
 
-/* Writes `load` of a row, and `ratio` of the row without the factors of the wet line and of tears.
- * Returns the highest tension of the paper in the row, in N/m. */
+/* Writes the members `load` and `ratio` of the cells in a row. `ratio` does not yet contain the
+ * stress factors of tears and of the line between wet and dry paper. Returns the highest tension of
+ * the paper in the row, in N/m. */
 float strain_row(struct strain *strain, const struct sheet *sheet, uint32_t row);
 
 /* Returns true if any cell of the row would tear within `seconds` under its present load. */
@@ -112,6 +113,6 @@ void strain_show(const struct strain *strain, struct sheet *sheet, uint32_t row)
  * minute. */
 void paper_wetting_tick(struct sheet *sheet, struct sheet_wetting wet);
 
-/* Returns how strongly a cell lies on the line between wet and dry paper, from 0 (not on the line)
- * to 1 (on a fully developed line). */
+/* Returns how strongly the line between wet and dry paper is developed at a cell, from 0 (no line)
+ * to 1 (fully developed line). */
 float paper_wetting_line(const struct sheet *sheet, uint32_t row, uint32_t column);

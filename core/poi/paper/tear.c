@@ -4,8 +4,8 @@
 
 #include "core/base/panic.h"
 
-/* Number of directions from a cell to its neighbours. The directions are counted clockwise from the
- * right, as seen from above. */
+/* Number of directions from a cell to its eight neighbours. Seen from above, the directions go
+ * clockwise around the cell and begin at the right. */
 #define WAYS 8u
 /* Factor of the stress in a paper cell that touches the hole cell only at a corner: 2^(-1/20). A
  * tear that spreads from cell to cell moves sqrt(2) times as far to a diagonal neighbour as to a
@@ -25,7 +25,7 @@ static const struct way ways[WAYS] = {
     { -1, 0, 0.0f, -1.0f },   { -1, 1, SLANT, -SLANT },
 };
 
-/* Computes `pair` and `wide` from `hole`. */
+/* Computes the members `pair` and `wide` of `map` from its member `hole`. */
 static void measure_holes(struct tear_map *map)
 {
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
@@ -114,8 +114,8 @@ static void find_open_cells(const struct tear_map *map, const struct way *way,
         const uint32_t inside = next < SHEET_SIDE ? map->paper[next] | map->hole[next] : 0u;
         const uint32_t at_ring = map->paper[row] & ~shift_row_word(inside, way->column);
         if (way->row == 0) {
-            /* Extends the bits along the row over contiguous paper, away from the ring. Each
-             * pass of the loop doubles the distance. */
+            /* Extends the open cells along the row, away from the ring, as far as the paper has no
+             * gap. Each pass of the loop doubles the distance. */
             const bool is_right = way->column > 0;
             uint32_t paper = map->paper[row];
             open[row] = at_ring;
