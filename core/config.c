@@ -1,11 +1,11 @@
-/* config.c -- copies settings to the configuration of a session. */
+/* config.c -- copies settings to the core's configuration. */
 #include "core/config.h"
 
 #include "core/base/panic.h"
 #include "core/scene.h"
 #include "core/tank/preset.h"
 
-/* Level of each value of SET_LEVEL. */
+/* Level (enum level) that each value of SET_LEVEL selects. */
 static const uint8_t level_of_choice[LEVEL_CHOICE_COUNT] = {
     [LEVEL_CHOICE_NORMAL] = LEVEL_NORMAL,
     [LEVEL_CHOICE_EASY] = LEVEL_EASY,

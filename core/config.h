@@ -1,4 +1,5 @@
-/* config.h -- the configuration of a session, which core_init() reads.
+/* config.h -- the configuration of a session, which core_init() reads. A session is the time
+ * between two initializations of the core.
  *
  * During a session the game reads the configuration. Only two functions of the game change it.
  * settings_edit_set() changes the settings for a page of the operator's menu. session_restart()
@@ -40,7 +41,8 @@ struct core_config {
         persistent; /* Persistent state that the store loaded at startup. The settings in
                        `persistent` do not override the fields above; see
                        config_apply_settings(). */
-    /* State carried over from the previous session; all zero at the start of the kiosk. */
+    /* State that the core carries over when it reinitializes itself for a new session; all zero at
+     * the start of the kiosk. */
     struct game_session session;
     /* Custom species and saved growth graphs, as loaded from the data folder. */
     struct lab_book book;

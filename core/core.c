@@ -77,7 +77,8 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     return CORE_OK;
 }
 
-/* Returns true if fish and other rings collide with poi `index`. */
+/* Returns true if poi `index` is in use and collides with fish and with other rings. A parked poi
+ * out of the water does not collide. */
 static bool is_met(const struct core *core, uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
@@ -125,13 +126,14 @@ static void tick_pois(struct core *core, const struct input *input,
                 .has_wrist =
                     core->world.poi[i].link == POI_SOURCE_BOT ||
                     parking_is_parked(&core->game, i) ||
-                    core->world.poi[i].link == POI_SOURCE_LOST || /* The poi of a lost controller is
-                                                                     not emptied into its bowl. */
+                    /* Treat a lost controller as one with rotation, so that its poi is not tilted
+                     * over the bowl. */
+                    core->world.poi[i].link == POI_SOURCE_LOST ||
                     (core->world.poi[i].link == POI_SOURCE_LIVE && input->poi[i].has_wrist),
             };
             poi_tick(&core->world.poi[i], &grip, &core->world.tank, &core->world.bowl[i]);
-            /* The poi is kept out of the bowls of other players. poi_tick() handles its own
-             * bowl. */
+            /* Keep the poi out of the bowls of other players. poi_tick() handles the bowl of the
+             * poi's own player. */
             for (uint32_t other = 0; other < POI_MAX; other++) {
                 if (other != i) {
                     poi_constrain_to_bowl(&core->world.poi[i], &core->world.bowl[other]);
@@ -195,8 +197,8 @@ static void gather_shades(struct core *core, const struct input *input)
     tank_cast(&core->world.tank, casts);
 }
 
-/* Applies the fish's reactions to the pois and bowls, in the order of gather_obstacles(), which
- * returned `count`. */
+/* Applies the forces of the fish to the pois and bowls. `obstacles` and `count` come from
+ * gather_obstacles(), whose order of pois and bowls is repeated here. */
 static void apply_obstacle_reactions(struct core *core, const struct obstacle *obstacles,
                                      uint32_t count)
 {
@@ -307,7 +309,7 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
         session_restart(&core->game, &core->config);
         open_world(core);
     }
-    /* The platform acts on a copy of this state, which is not part of the hash. */
+    /* Copy the values that the platform needs to `output`, which is not part of the hash. */
     const struct game *game = &core->game;
     output->tick = game->tick;
     output->round_tick = game->round_tick;

@@ -35,7 +35,8 @@ struct core {
     struct core_config config;
     struct game game;
     struct world world;
-    struct lessons lessons; /* For display only; no hash contains the lessons. */
+    /* Aids for players. The lessons are for display only, so no hash contains them. */
+    struct lessons lessons;
 };
 
 /* Initializes `core` from `config` in attract mode. Returns CORE_OK, or CORE_ERR_RANGE or
@@ -48,8 +49,9 @@ enum core_error core_init(struct core *core, const struct core_config *config);
  * before (platform/cpu.h). */
 enum core_error core_tick(struct core *core, const struct input *input, struct output *output);
 
-/* Returns true if a session starts at the current tick. At the start of a session core_init() with
- * `core->config` produces exactly the state in `core`. */
+/* Returns true if `core` is in exactly the state that core_init() makes from `core->config`, so
+ * that a recording can start at this tick. Each session (the time between two initializations of
+ * the core) starts at such a tick. */
 bool core_is_fresh(const struct core *core);
 
 /* Progress of one player in the running round. */
@@ -67,7 +69,7 @@ struct core_status {
     uint32_t round_count; /* Number of started rounds. */
     uint32_t round_s;     /* Length of the running round in seconds. */
     uint32_t fish_count;  /* Number of fish in the tank. */
-    uint16_t day, minute; /* Calendar of the newest input, as in struct input. */
+    uint16_t day, minute; /* Date and time of the newest input, as in struct input. */
     uint8_t phase;        /* Phase of the game (enum scene_phase). */
     uint8_t mode;         /* Mode of the running round (enum game_mode). */
     /* True while the operator's menu shows a page on which a PIN is typed. Inputs of this time may
@@ -88,8 +90,8 @@ const struct audits *core_audits(const struct core *core);
  * of the record is 0. */
 struct round_record core_round_record(const struct core *core);
 
-/* Returns what a bot that controls player `player` can see (core/game/bot/vision.h). The result
- * refers to `core`. */
+/* Returns what a bot that controls player `player` can see (core/game/bot/vision.h). The returned
+ * struct contains pointers to `core`. */
 struct vision core_vision(const struct core *core, uint32_t player);
 
 /* Returns the ranking of all modes and periods. The ranking changes with each tick. */

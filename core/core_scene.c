@@ -41,13 +41,14 @@ static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish 
 #define THRASH_REST 0.25f
 #define THRASH_RISE 0.10f
 
-/* Ratio of the shown motion to the strength of the slaps. A calm fish is captured with a strength
- * of about 0.5, and also bends its body almost completely. */
+/* Ratio of the shown bend of a thrashing fish to the strength `vigour` of its slaps. Even a calm
+ * fish, which has a strength of about 0.5 at its capture, therefore bends its body almost
+ * completely. */
 #define THRASH_VIGOUR 1.6f
 
-/* Shows the fish on `poi` as thrashing from the tick of their capture. The motion is a part of the
- * picture only: the slaps that load the paper are those of core/poi/catch/carried_fish.h. Their
- * strength, `vigour`, also sets the size of the shown motion. */
+/* Shows the fish on `poi` as thrashing from the tick of their capture. The motion is only a part of
+ * the picture, because core/poi/catch/carried_fish.h computes the slaps that load the paper. The
+ * strength of these slaps, `vigour`, sets the size of the shown motion. */
 static void show_thrash(const struct poi *poi, uint32_t tick, struct scene_fish fish[])
 {
     const vec3 up = vec_basis_from_angles(poi->angles).up;
@@ -72,8 +73,8 @@ static void show_thrash(const struct poi *poi, uint32_t tick, struct scene_fish 
 #define PRESENT_TICKS (CORE_TICK_HZ / 2u)
 #define PRESENT_FALL_M 0.20f
 
-/* Shows the presents falling into their bowls at the start of PHASE_RESULT. In the state they are
- * in the bowls from the first tick. */
+/* Shows the presents falling into their bowls at the start of PHASE_RESULT. In the core's state the
+ * presents are in the bowls from the first tick of the phase. */
 static void show_presents(const struct game *game, struct scene_fish fish[])
 {
     const uint32_t elapsed = game->tick - game->phase_tick;

@@ -17,12 +17,13 @@
 
 /* Display options. If all fields are 0, the picture has the screen's size and zero brightness. */
 struct display_settings {
-    uint32_t rotation; /* Quarter turns clockwise, 0 .. 3. */
+    /* Clockwise rotation of the picture on the screen, in quarter turns, 0 .. 3. */
+    uint32_t rotation;
     /* Black margin at each side of the screen, [0, DISPLAY_INSET_MAX], as a share of the screen's
      * width (x) and height (y). */
     float inset_x, inset_y;
-    /* [-0.01, 0.01] of the screen's height. The shift moves the picture regularly to prevent
-     * burn-in of the screen. */
+    /* Shift of the picture, [-0.01, 0.01] of the screen's height. The caller changes the shift
+     * regularly to prevent burn-in of the screen. */
     float shift_x, shift_y;
     float light; /* Brightness [0, 1]; at 0 the display may skip drawing. */
 };
@@ -51,8 +52,8 @@ display_transform_of(const struct display_settings *display_settings, float widt
 {
     /* x component of the picture's x axis on the screen, for each number of quarter turns. */
     static const float turn_x[4] = { 1.0f, 0.0f, -1.0f, 0.0f };
-    /* y component of the picture's x axis on the screen. The picture's y axis is one quarter turn
-     * further. */
+    /* y component of the picture's x axis on the screen. The picture's y axis is the x axis turned
+     * clockwise by one more quarter turn. */
     static const float turn_y[4] = { 0.0f, 1.0f, 0.0f, -1.0f };
     const uint32_t turn = display_settings->rotation & 3u;
     const float left =
@@ -87,7 +88,7 @@ static inline void display_to_picture(const struct display_transform *transform,
 }
 
 /* Computes the display transform in OpenGL clip coordinates, where x and y run from -1 to 1 and y
- * points up. A picture point `point` is at turn * point + move on the screen. `turn` is a
+ * points up. A point p of the picture is shown at the screen point `turn` * p + `move`. `turn` is a
  * column-major 2 x 2 matrix. */
 static inline void display_clip_matrix(const struct display_transform *p, float turn[4],
                                        float move[2])

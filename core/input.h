@@ -44,7 +44,7 @@ enum input_button {
 #define CONTROLLER_MAX 8u /* Four controllers in play and four spare controllers. */
 
 /* State of a plugged-in USB controller, for the operator's menu. The core stores no controller
- * names; the shell adds names to the scene (scene.h). */
+ * names. The shell (the program around the core) adds names to the scene (scene.h). */
 enum controller_state {
     CONTROLLER_NONE = 0,
     /* Another driver uses the controller. Kingyo attaches the controller only if the operator
@@ -79,8 +79,8 @@ enum learn_step {
 };
 
 struct controller_status {
-    /* State of the controller in each row of the menu page (enum controller_state). A controller
-     * keeps its row while it is plugged in. */
+    /* State of the controller in each row of the menu page that lists the controllers (enum
+     * controller_state). A controller keeps its row while it is plugged in. */
     uint8_t state[CONTROLLER_MAX];
     uint8_t learn_step;     /* Current step of the learn wizard (enum learn_step). */
     uint8_t learn_row;      /* Row of the controller that is being learned. */

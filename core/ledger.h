@@ -31,8 +31,8 @@
 
 enum ledger_kind {
     LEDGER_NOTHING = 0,
-    /* The kiosk started. `count` is the number of starts so far. `value` is the number of units of
-     * coins that the previous start could not log. */
+    /* The kiosk started. `count` is the number of starts so far. `value` is the number of coin
+     * units that could not be logged before this start. */
     LEDGER_BOOT,
     LEDGER_COINS,   /* `count` pulses of coin line `detail` (from 0), worth `value` units. */
     LEDGER_SERVICE, /* The SERVICE button added a credit without payment. */
@@ -83,8 +83,9 @@ enum ledger_kind {
 };
 
 enum refund_cause {
-    REFUND_NO_POI = 0, /* All pois were lost, and no player returned. */
-    REFUND_OPERATOR,   /* The operator opened the menu. */
+    /* All controllers were disconnected, and none was connected again in time. */
+    REFUND_NO_POI = 0,
+    REFUND_OPERATOR, /* The operator opened the menu. */
     /* The round was still open at startup, because the kiosk crashed or lost power. */
     REFUND_RESTART,
     REFUND_CAUSE_COUNT,
@@ -173,7 +174,7 @@ struct round_record {
 
 struct ledger_entry {
     uint32_t id;   /* Id of the entry; 0 means no entry. */
-    uint32_t boot; /* Number of the kiosk start in which the entry was written. */
+    uint32_t boot; /* Boot counter (number of kiosk starts so far) when the entry was written. */
     /* Tick at which the entry was written, counted from the kiosk start `boot`. `boot` and `tick`
      * order the entries without a clock. */
     uint32_t tick;
@@ -188,7 +189,7 @@ struct ledger_entry {
     struct balance balance; /* Balance after this entry. */
     struct health health;
     struct round_record round;
-    char name[LEDGER_NAME_SIZE]; /* UTF-8, padded with zeros. */
+    char name[LEDGER_NAME_SIZE]; /* Name of the player in UTF-8, padded with zeros. */
 };
 
 /* Copy of three fields of the newest LEDGER_STAND of an open round. All fields are 0 if the round
@@ -199,7 +200,8 @@ struct ledger_stand {
     uint8_t detail;
 };
 
-/* Ledger state that the store loads at startup. All fields are 0 if nothing was stored. */
+/* State of the ledger that the store loads at startup. All fields are 0 if the store has no
+ * entry. */
 struct ledger_start {
     uint32_t last_id; /* Id of the newest entry. */
     /* Number of kiosk starts, including the current start; 0 means that the kiosk has no store. */

@@ -74,7 +74,8 @@ enum controller_command_kind {
     COMMAND_LEARN_END,
     COMMAND_RESTART, /* Restart the kiosk; applies to no controller. */
     COMMAND_REPLAY,  /* Show the replay of round `round_id`; applies to no controller. */
-    /* The operator has read which databases were quarantined; applies to no controller. */
+    /* Acknowledge the quarantined (damaged) databases, which the operator has seen in a list;
+     * applies to no controller. */
     COMMAND_SEEN,
 };
 
@@ -130,8 +131,8 @@ struct output {
     /* Phase of the game after the newest tick (enum scene_phase). 0 before the first tick, which is
      * PHASE_ATTRACT. */
     uint8_t phase;
-    /* 1 after a tick in attract mode without an open payment. The program may then restart.
-     * Otherwise 0. */
+    /* 1 if the program may restart, because attract mode is active and the balance contains no open
+     * game; otherwise 0. */
     uint8_t is_idle;
     uint8_t start_lamp;   /* 1 if the START button's lamp is lit, otherwise 0. */
     uint8_t coin_lockout; /* 1 if coins fall through to the return tray, otherwise 0. */

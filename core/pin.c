@@ -9,7 +9,7 @@
 #define SALT_MASK ((1u << SALT_BITS) - 1u)
 #define HIDDEN (1u << (SALT_BITS + DIGEST_BITS))
 
-/* Never returns PIN_WITHHELD, because a salt of 0 is replaced by 1. */
+/* The result is never PIN_WITHHELD, because a salt of 0 is replaced by 1. */
 int32_t pin_hide(uint32_t pin, uint32_t salt)
 {
     CORE_ASSERT(pin <= PIN_MAX);

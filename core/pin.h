@@ -8,8 +8,8 @@
  * and PIN.
  *
  * Any hash of four digits can be guessed quickly, so the hash protects only against a casual
- * reader. File modes and the lockout time protect against other readers. With a probability of 1 %
- * one of the other 9,998 PINs has the same hash, which does not help a guesser. */
+ * reader. File permissions and the lockout time protect against other readers. With a probability
+ * of 1 % one of the other 9,998 PINs has the same hash, which does not help a guesser. */
 #pragma once
 
 #include <stdbool.h>

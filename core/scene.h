@@ -17,7 +17,7 @@
 
 /* ---- Tank ------------------------------------------------------------------------------------ */
 
-#define SCENE_FISH_MAX 2048u /* Equal to TANK_FISH_MAX. */
+#define SCENE_FISH_MAX 2048u /* Largest number of fish in a scene, equal to TANK_FISH_MAX. */
 /* Number of cells along each side of the square around the paper; a cell measures 2.5 mm at a poi
  * diameter of 80 mm. */
 #define SHEET_SIDE 32u
@@ -75,8 +75,9 @@ enum tear_cause {
 /* One frame of the slow motion of the second around the first tear of a player's paper. The slow
  * motion is present in PHASE_RESULT only. */
 struct scene_tear {
-    uint8_t cause;     /* Cause of the first tear (enum tear_cause); TEAR_NONE means no tear. */
-    float time_s;      /* Time of the frame since the first tear in seconds; negative before. */
+    uint8_t cause; /* Cause of the first tear (enum tear_cause); TEAR_NONE means no tear. */
+    /* Time of the frame since the first tear, in seconds; negative before the tear. */
+    float time_s;
     vec3 position_m;   /* Position of the ring's centre. */
     vec3 velocity_m_s; /* Velocity of the ring's centre. */
     struct angles angles;
@@ -231,7 +232,7 @@ enum scene_hint {
     HINT_DIP,       /* Dip beside a fish. */
     HINT_LIFT,      /* Lift the fish that is over the paper. */
     HINT_BOWL,      /* Carry the fish to the bowl. */
-    HINT_TILT,      /* The wheel tilts the poi. */
+    HINT_TILT,      /* Turn the wheel to tilt the poi. */
     HINT_SLOWLY,    /* Fast movement tears paper. */
     HINT_GLIDE,     /* Dip beside a fish, slide under it, lift softly. */
     HINT_TORN,      /* The paper is useless. */
@@ -301,10 +302,11 @@ struct scene {
 
     uint8_t phase;    /* enum scene_phase */
     uint8_t language; /* enum language */
-    uint8_t hint;     /* Hint of the whole screen (enum scene_hint); `lesson` has the others. */
-    float phase_s;    /* Seconds since the phase began. */
-    /* Darkness of the tank in the fade between two sessions, [0, 1]. Text over the tank stays
-     * bright. */
+    /* Hint for the whole screen (enum scene_hint). The hints beside the pois are in `lesson`. */
+    uint8_t hint;
+    float phase_s; /* Seconds since the phase began. */
+    /* Darkness of the tank, [0, 1], while the core reinitializes itself between two games. Text
+     * over the tank stays bright. */
     float veil;
     /* Seconds left in the round. In READY: seconds until the round begins. In mode selection and
      * name entry: seconds until the timeout. In other phases 0. */

@@ -11,9 +11,12 @@
 /* Capacity for the counters of core/game/accounting/audits.h, with room for more counters. */
 #define SCENE_AUDIT_MAX 96u
 
-/* State of the page "ready for opening" (core/game/menu/menu.h). */
+/* State of the self-test page, on which the operator tests whether the kiosk is ready for opening
+ * (core/game/menu/menu.h). */
 struct scene_self_test {
-    uint8_t heard, moved; /* Confirmations of the operator for sound and picture. */
+    /* `heard` is the operator's answer about the sound, `moved` the answer about the lamp and the
+     * coin slot. */
+    uint8_t heard, moved;
     /* Bit masks of the slots with a controller and of the slots in play. */
     uint8_t present, players;
     /* States of the checks of the store and of the clock (enum self_state). */
@@ -35,7 +38,7 @@ struct scene_menu {
     /* First row shown on the file page, of controllers.file_count rows; 0 if the list is empty. */
     uint8_t file_first;
     uint8_t upright, has_hand, presses;
-    uint8_t hides_level; /* 1 if the menu has no row for the level, otherwise 0. */
+    uint8_t hides_level; /* 1 if the menu has no row for the setting SET_LEVEL, otherwise 0. */
     float x, y;          /* Pointer position on the canvas (core/game/pointer_mapping.h). */
     struct controller_status controllers;
     /* Bit mask of the buttons that are held down (enum input_button). */
@@ -45,7 +48,7 @@ struct scene_menu {
     uint32_t test_coins; /* Coins since the menu was opened, for the page of the input lines. */
     float coin_s;        /* Seconds since the last test coin. */
     uint8_t chosen;      /* Row of the setting that was changed last. */
-    /* 1 if selecting an item lowers its value, 0 if selecting raises the value. */
+    /* 1 if the selection of a setting lowers its value; 0 if the selection raises its value. */
     uint8_t turns_down;
     uint8_t is_saved;   /* 1 if every change of a setting is on disk, otherwise 0. */
     uint8_t has_turned; /* 1 if a setting was changed a moment ago, otherwise 0. */
@@ -60,13 +63,14 @@ struct scene_menu {
     /* Progress of holding the poi still during calibration, [0, 1]. */
     float menu_calibrate_progress;
     vec3 calibrated_m; /* Calibrated position of the poi. */
-    uint8_t from;      /* Page of the statistics that requests confirmation of a reset. */
+    /* Page of statistics from which the operator opened the page that confirms a reset. */
+    uint8_t from;
     uint8_t pin_count; /* Number of PIN digits typed. */
     /* PIN digits typed, as a number; displayed only while a new PIN is chosen. */
     uint16_t pin;
     float pin_wait_s; /* Seconds until a PIN can be typed again. */
-    /* Number of the current kiosk start, id of the newest ledger entry, and id of the newest ledger
-     * entry on disk. */
+    /* `boot` is the number of kiosk starts, including the current start. `last_id` is the id of the
+     * newest ledger entry, and `saved_id` the id of the newest ledger entry on disk. */
     uint32_t boot, last_id, saved_id;
     uint32_t audit[SCENE_AUDIT_MAX]; /* Counters of the statistics, indexed by enum audit_id. */
 };
@@ -111,13 +115,13 @@ struct scene_machine {
     int32_t heat_margin_c;
     /* Number of quarantined databases that the operator has not acknowledged. */
     uint32_t quarantined;
-    /* Number of programs that ended by a panic since the panic count was reset. */
+    /* Number of times that the program ended by a panic since the panic count was reset. */
     uint32_t panics;
     /* Data that the kiosk does not load because of panics since power-on: 0 none, 1 settings, 2
      * settings and replays, 3 settings, replays and names. */
     uint8_t left_out;
-    /* Number of ranked rounds since the start whose replay could not be saved. Excludes rounds
-     * after a page for a PIN. */
+    /* Number of ranked rounds since the start whose replay could not be saved. A round is not
+     * counted if its recording was ended on purpose, because a PIN was typed. */
     uint32_t missed;
 };
 
@@ -158,7 +162,8 @@ struct scene_devices {
     char controller[CONTROLLER_MAX][SCENE_NAME_SIZE];
     /* Status of the controller search, or the reason why it does not work. */
     char controllers[SCENE_LINE_SIZE];
-    /* Names of the cabinet's input lines, and of the missing lines. */
+    /* Status text of the cabinet's input lines: the driver, the number of working lines, and the
+     * lines that are missing or faulty. */
     char lines[SCENE_LINE_SIZE];
     /* Name of each component, or its fault (indexed by enum scene_about). */
     char about[ABOUT_COUNT][SCENE_LINE_SIZE];
@@ -184,8 +189,9 @@ struct scene_devices {
         uint32_t edges; /* Number of level changes, including contact bounces. */
         uint32_t faults;
     } line[INPUT_BUTTON_COUNT + COIN_LINE_COUNT];
-    uint32_t coins[COIN_LINE_COUNT]; /* Pulses that counted as coins, since the start. */
-    uint32_t button_faults;          /* Number of faults of button lines since the start. */
+    /* Number of pulses of each coin line that counted as coins, since the start. */
+    uint32_t coins[COIN_LINE_COUNT];
+    uint32_t button_faults; /* Number of faults of button lines since the start. */
     /* Bit mask of the input lines that do not exist: bits of enum input_button, followed by one bit
      * for each coin line. */
     uint32_t buttons_missing;

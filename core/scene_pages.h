@@ -7,7 +7,7 @@
 #include "core/ledger.h"
 #include "core/morph/species.h"
 
-/* The last attempt to save failed. */
+/* Progress of saving after the last press of SAVE. LAB_UNSAVED means that the save failed. */
 enum scene_keeping { LAB_NOT_SAVED = 0, LAB_SAVING, LAB_SAVED, LAB_UNSAVED };
 
 /* State of the growth lab while the phase is PHASE_LAB. Positions are on the canvas of
@@ -62,7 +62,7 @@ struct scene_album {
     } fish[ALBUM_FISH_MAX];
 };
 
-#define SCENE_NAME_LETTERS 8u /* Equal to NAME_LETTERS_MAX. */
+#define SCENE_NAME_LETTERS 8u /* Largest number of letters of a name, equal to NAME_LETTERS_MAX. */
 
 /* State of the name entry (core/game/ranking/name.h) while the phase is PHASE_NAME; `waits` is
  * valid in every phase. */
@@ -79,7 +79,7 @@ struct scene_name {
     float x, y; /* Pointer position on the canvas (core/game/pointer_mapping.h). */
 };
 
-#define SCENE_LEADERBOARD_ROWS 10u /* Equal to RANK_ROWS. */
+#define SCENE_LEADERBOARD_ROWS 10u /* Number of rows of a leaderboard, equal to RANK_ROWS. */
 
 /* The leaderboard in PHASE_LEADERBOARD, in attract mode at intervals, and on its pages of the
  * operator's menu. */

@@ -87,7 +87,8 @@ void settings_reset(struct settings *settings)
 void settings_sanitize(struct settings *settings)
 {
     CORE_ASSERT(settings);
-    int32_t any = 0; /* If all values are 0, the settings were never set. */
+    /* If all values are 0, the settings were never filled, so reset all settings. */
+    int32_t any = 0;
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
         any |= settings->value[id];
     }

@@ -39,7 +39,7 @@ enum setting_id {
     /* Every n-th loop of attract mode plays sound, where n is the value; 0 means no sound. */
     SET_ATTRACT_SOUND,
     /* Picture settings. */
-    SET_ROTATION, /* Rotation of the picture in quarter turns clockwise. */
+    SET_ROTATION, /* Clockwise rotation of the picture on the screen, in quarter turns. */
     /* Margin at the left and at the right that the screen does not show, in per mille of the
      * width. */
     SET_OVERSCAN_X,
@@ -68,7 +68,8 @@ enum setting_id {
     SETTING_COUNT,
 };
 
-/* Values of SET_LEVEL. The default is 0, so that hashes without the setting stay the same. */
+/* Values of SET_LEVEL. The default has the value 0, so that the hashes of recordings without this
+ * setting stay the same. */
 enum level_choice {
     LEVEL_CHOICE_NORMAL = 0,
     LEVEL_CHOICE_EASY,

@@ -25,7 +25,8 @@ struct basis view_basis(const struct view *view);
  * (width over height) > 0. */
 float view_half_height_tan(const struct view *view, float aspect);
 
-/* Returns the point of the plane y = `height_m` under a screen point. `x` runs from -1 (left) to 1
- * (right), and `y` from -1 (bottom) to 1 (top). If the camera ray misses the plane, because the
- * screen point is above the horizon, the returned point is 4 m away. */
+/* Returns the point of the horizontal plane y = `height_m` that the camera shows at a screen point.
+ * `x` runs from -1 (left) to 1 (right), and `y` from -1 (bottom) to 1 (top). If the camera ray
+ * misses the plane, because the screen point is above the horizon, the returned point is 4 m
+ * away. */
 vec3 view_point_on_plane(const struct view *view, float aspect, float x, float y, float height_m);

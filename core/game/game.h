@@ -79,7 +79,7 @@ struct player {
      * selection (enum level). */
     uint8_t level;
     uint8_t has_hand; /* 1 if the player has a pointer in the mode selection, otherwise 0. */
-    struct layout_point hand; /* Position of this pointer on the canvas. */
+    struct layout_point hand; /* Position of the player's pointer on the canvas. */
     uint8_t fouls;            /* Number of the player's counted fouls, 0 .. FOUL_MAX. */
     uint8_t foul;             /* Kind of the player's latest foul (enum foul). */
     uint32_t foul_tick;       /* Tick of the player's latest counted foul. */
@@ -214,7 +214,8 @@ struct game {
     uint32_t gone_tick;
     /* Tick at which a visitor's choice of language in attract mode ends; 0 means no choice. */
     uint32_t language_until;
-    /* Tick at which a new session starts (session.c); 0 means that no session was requested. */
+    /* Tick at which a new session starts, which means that the core reinitializes itself
+     * (session.c); 0 means that no session was requested. */
     uint32_t turn_tick;
     uint32_t round_s;     /* Length of this round in seconds. */
     uint32_t round_count; /* Number of started rounds; part of the seed of the next paper. */
@@ -231,7 +232,8 @@ struct game {
     struct lab lab;
 };
 
-/* Initializes `game` from `config` with the state at the start of a session. */
+/* Initializes `game` from `config`, including the state that `config->session` carries over from
+ * the time before the initialization. */
 void game_init(struct game *game, const struct core_config *config);
 
 /* Runs the first step of a tick: updates the phase, and supplies fresh paper and empty bowls at the

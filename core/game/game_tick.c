@@ -165,8 +165,9 @@ void game_tick(struct game *game, struct world *world, struct core_config *confi
     self_test_tick(&scope, said);
     settings_edit_tick(&scope);
     controller_assign(game, world,
-                      input); /* Choose the controller or the bot of each poi again, because a
-                                 new phase may use another one. */
+                      /* Select the source of each poi (controller or bot) again, because a new
+                       * phase may use a different source. */
+                      input);
     controller_tick_all(game->control, game->bot, game, world, config, input, targets, live);
     hints_tick(&game->hints, game, world, config);
     show_outputs(game, config, output);

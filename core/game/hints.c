@@ -94,8 +94,8 @@ static void observe(struct hints *hints, const struct game *game, const struct w
 }
 
 /* Returns the first hint that the player has not followed yet and that fits the situation. The
- * hints are tested in the order in which a player should learn them. Partly wet paper tears at the
- * border between wet and dry areas. */
+ * hints are tested in the order in which a player should learn them. HINT_WET_ALL comes early,
+ * because partly wet paper tears at the border between wet and dry areas. */
 static uint8_t lesson(const struct hints *hints, const struct game *game, const struct world *world,
                       struct view_of_fish fish)
 {
@@ -193,7 +193,8 @@ static uint8_t choose_hint(const struct hints *hints, const struct game *game,
     }
 }
 
-/* Returns the fish that the player who receives the hints sees at the own poi. */
+/* Returns whether a fish lies on the poi of the player who receives the hints, and whether a fish
+ * swims above that poi. */
 static struct view_of_fish view_at_poi(const struct hints *hints, const struct world *world)
 {
     const struct poi *poi = &world->poi[hints->pupil];

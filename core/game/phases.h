@@ -43,7 +43,7 @@ game_phase_tick round_ready_tick, round_tick, round_result_tick;
 void attract_begin(struct game *game, struct world *world, const struct core_config *config);
 
 /* Returns the tag (core/game/mode_tags.h) that `player` has selected in the mode selection. All
- * players share the mode, and each player has an own level. */
+ * players share the mode, and each player has a separate level. */
 uint32_t game_mode_select_tag(const struct game *game, uint32_t player);
 
 /* Returns the player for whom the buttons select: the first player with a connected poi, or player
@@ -209,19 +209,21 @@ bool health_log_final(const struct accounts *accounts, const struct health_log *
  * leaves attract mode at most ten minutes after the session's start. The player sees a short fade
  * to dark when a session starts. */
 
-/* Requests a new session. The new session starts when the picture has faded to dark, if attract
- * mode is still active at that time. */
+/* Requests a new session, which means that the core reinitializes itself from its configuration.
+ * The session starts when the picture has faded to dark, if attract mode is still active at that
+ * time. */
 void session_request(struct game *game);
 
-/* Returns true if the finished tick was the last tick of the session. */
+/* Returns true if the finished tick was the last tick of the session, so that the core must be
+ * reinitialized. */
 bool session_is_over(const struct game *game);
 
 /* Writes the configuration of the next session to `config`. The caller then initializes the game
  * and the world from `config`, as core_init() does. */
 void session_restart(const struct game *game, struct core_config *config);
 
-/* Copies the state of the previous session from `session` to a newly initialized game. Does nothing
- * at the kiosk's start. */
+/* Copies `session`, the state carried over from the previous session, to a newly initialized game.
+ * Does nothing at the kiosk's start, when no previous session exists. */
 void session_restore(struct game *game, const struct game_session *session);
 
 /* Returns the darkness of the picture for the fade between two sessions, [0, 1]. The picture is

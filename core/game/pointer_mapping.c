@@ -45,8 +45,8 @@ struct layout_point pointer_project(const struct view *view, bool upright, vec3 
 
 /* Returns the pointer of a player. The floor plan of the tank is mapped to the canvas if the
  * controller measures rotation, because the player then aims at a place in the tank and not along a
- * camera ray. The player therefore need not reach behind the tank for items at the top of the
- * screen. The pose of a mouse is mapped by the camera. */
+ * camera ray. The player then need not reach behind the tank for items at the top of the screen.
+ * The pose of a mouse is projected by the camera, because the mouse points at the screen. */
 struct pointer_state pointer_of_player(const struct world *world, const struct input *input,
                                        bool upright, uint32_t player)
 {

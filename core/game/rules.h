@@ -14,7 +14,7 @@
 #include "core/scene.h"
 #include "core/tank/behavior_params.h"
 
-/* Value of the member `tank` that stands for the configured tank of the kiosk. */
+/* Value of the member `tank` of struct rules that stands for the configured tank of the kiosk. */
 #define RULES_STALLS_TANK 0xffu
 /* Length of READY in seconds in modes without an umpire. In READY the player takes the poi and
  * finds the bowl. */
@@ -47,7 +47,8 @@ struct rules {
     bool keeps_score; /* True if the round produces a record and can be ranked. */
 };
 
-/* What a level (enum level) changes, as data. All fields of LEVEL_MASTER are neutral. */
+/* Changes that a level (enum level) makes to the rules and the physics. The fields of LEVEL_MASTER
+ * change nothing. */
 struct level_rules {
     const char *name;    /* Name of the level in kingyo.conf and on the command line. */
     float ring_radius_m; /* Inner radius of the player's ring. */
@@ -62,7 +63,8 @@ struct level_rules {
 /* Returns the grade of a player's paper at `level` in a round whose paper has the grade `grade`. */
 uint8_t rules_grade_at_level(uint8_t grade, uint8_t level);
 
-/* Returns what `level` changes. Asserts that `level` < LEVEL_COUNT. */
+/* Returns the changes of `level` to the rules and the physics. Asserts that `level` <
+ * LEVEL_COUNT. */
 const struct level_rules *rules_of_level(uint8_t level);
 
 /* Returns the rules of `mode`. Asserts that `mode` < MODE_COUNT. */

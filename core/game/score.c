@@ -1,5 +1,5 @@
-/* score.c -- detects fouls from shadows and catches, counts the fish of each player, and builds the
- * record of a round. */
+/* score.c -- detects fouls, such as a shadow held over the water before the start or a forbidden
+ * way to catch a fish. Counts the fish of each player, and builds the record of a round. */
 #include "core/game/phases.h"
 
 #include "core/base/panic.h"
@@ -11,8 +11,7 @@
 #include "core/game/table_setup.h"
 #include "core/poi/world.h"
 
-/* Records a foul of kind `kind` by `player`. Counts the foul if the mode's rules judge
- * fouls. */
+/* Records a foul of kind `kind` by `player`. Also counts the foul if the mode counts fouls. */
 static void commit_foul(struct player *player, const struct game *game, enum foul kind,
                         struct output *output)
 {
@@ -104,7 +103,8 @@ void game_score(struct player player[POI_MAX], struct album *album, const struct
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (!player_has_poi(world, i) || game->paused) {
-            continue; /* Fish that fall off a poi without valid input count for no player. */
+            /* Record no foul, because the player does not control the poi at present. */
+            continue;
         }
         if (caught[i].poured > 0) {
             commit_foul(&player[i], game, FOUL_POURED, output);

@@ -1,5 +1,5 @@
-/* session.c -- copies the state that continues from one session to the next, and changes the
- * display language. */
+/* session.c -- starts and ends sessions (the times between two initializations of the core), copies
+ * the state that continues from one session to the next, and changes the display language. */
 #include "core/game/phases.h"
 
 #include "core/base/mem.h"

@@ -1,5 +1,6 @@
-/* session_state.h -- the state that one session passes to the next session. The functions are in
- * session.c, health_log.c and menu/settings_edit.c. */
+/* session_state.h -- the state that one session passes to the next session. A session is the time
+ * between two initializations of the core (phases.h). The functions are in session.c, health_log.c
+ * and menu/settings_edit.c. */
 #pragma once
 
 #include <stdint.h>

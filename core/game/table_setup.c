@@ -90,8 +90,8 @@ static void place_all(struct control control[POI_MAX], const struct game *game, 
         init_poi(game, config, i, &world->poi[i], parking_place(world, i).position_m, seed);
         world->poi[i].link = link;
         control[i].hand_pose = parking_place(world, i);
-        control[i].holder = POI_SOURCE_ABSENT; /* The next controller of the poi takes control at
-                                                  the poi's rest position. */
+        /* Let the next source of the poi take control anew, beginning at the rest position. */
+        control[i].holder = POI_SOURCE_ABSENT;
         controller_forget_path(&control[i]);
         world->bowl[i] = (struct bowl){ 0 };
         if (i < player_count(config)) {
@@ -111,8 +111,8 @@ static void open_tank(struct world *world, const struct core_config *config, uin
     const bool opened = tank_open(&world->tank, &opening);
     CORE_ASSERT(opened);
     for (uint32_t i = 0; i < world->tank.fish_count; i++) {
-        world->tank.fish[i].thought_tick = (uint8_t)tick; /* Treat the fish as if it had made its
-                                                             last decision in the current tick. */
+        /* Treat the fish as if it had made its last decision in the current tick. */
+        world->tank.fish[i].thought_tick = (uint8_t)tick;
     }
 }
 

@@ -31,7 +31,7 @@ uint8_t table_setup_preset(const struct core_config *config, uint8_t mode);
 uint8_t table_setup_grade(const struct core_config *config, uint8_t mode);
 uint32_t table_setup_round_s(const struct core_config *config, uint8_t mode);
 
-/* Sets up the configured tank, bowls and pois at the start of a session. */
+/* Sets up the configured tank, bowls and pois when the core is initialized. */
 void table_setup_open(struct control control[POI_MAX], const struct game *game, struct world *world,
                       const struct core_config *config);
 

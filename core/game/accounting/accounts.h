@@ -53,8 +53,8 @@ struct ledger {
 /* Largest allowed price of a round, in coin units. A more expensive round would be paid with
  * banknotes. */
 #define CREDIT_COINS_MAX 20u
-/* Largest allowed value of the setting "fish per prize ticket". Most players catch fewer fish than
- * this value. */
+/* Largest allowed value of the setting "fish per prize ticket". Most players catch fewer fish, so
+ * they would win no ticket at a larger value. */
 #define CREDIT_TICKET_FISH_MAX 20u
 /* Time for which the coin slot stays closed after the cabinet was shaken or tilted. */
 #define CREDIT_TILT_TICKS (3u * CORE_TICK_HZ)
@@ -155,9 +155,9 @@ bool ledger_is_flushed(const struct ledger *ledger);
  * responds, and has room. */
 bool ledger_is_safe(const struct ledger *ledger);
 
-/* Returns true if a new entry is necessary to save the current balance. The current balance then
- * differs from the balance on disk, and no waiting entry contains it. The difference arises when a
- * store becomes available after the start, or had no room when the balance changed. */
+/* Returns true if a new entry is necessary to save the current balance, because the balance differs
+ * from the balance on disk and no unsaved entry contains it. Such a difference arises if the store
+ * became available after the start, or if the ledger had no room when the balance changed. */
 bool ledger_needs_sync(const struct ledger *ledger);
 
 /* Numbers of paid credits and of service credits that are on disk and not spent. Only these credits
@@ -177,13 +177,13 @@ struct ledger_credits ledger_committed_credits(const struct ledger *ledger);
 /* Returns true if every field of the ledger entry `entry` is in its valid range. */
 bool ledger_entry_is_valid(const struct ledger_entry *entry);
 
-/* Returns true if the start of the ledger, the balance and the leaderboards in `memory` are in
- * their ranges. Settings are not checked, because settings_sanitize() corrects invalid settings.
- * Any value of an audit counter is allowed. */
+/* Returns true if the ids, the balance, the open round and the leaderboards in `memory` are in
+ * their valid ranges. Settings are not checked, because settings_sanitize() corrects invalid
+ * settings. Any value of an audit counter is allowed. */
 bool ledger_state_is_valid(const struct persistent_state *memory);
 
-/* Returns true if every field of the state carried over from the previous session is in its
- * range. */
+/* Returns true if every field of `session`, the state that the core carries over when it
+ * reinitializes itself, is in its valid range. */
 bool ledger_session_is_valid(const struct game_session *session);
 
 /* ---- Coins, buttons and tickets (coins.c) -----------------------------------------------------
@@ -241,9 +241,9 @@ void coins_convert_pending(struct ledger *ledger, const struct core_config *conf
  * round. */
 bool credit_can_play(const struct ledger *ledger, const struct core_config *config);
 
-/* Handles a start attempt without a playable credit. If a credit is not on disk yet, the attempt
- * waits for the credit (credit_is_awaited()). Otherwise the screen briefly highlights the request
- * for a coin. */
+/* Handles a start attempt without a playable credit. If a credit exists but is not on disk yet, the
+ * attempt waits for that credit (credit_is_awaited()). Otherwise the screen briefly highlights the
+ * request for a coin. */
 void credit_request(struct accounts *accounts, uint32_t tick, struct output *output);
 
 /* Returns true if a start attempt that waited for its credit can now start a game. */
@@ -255,10 +255,11 @@ bool credit_is_awaited(const struct accounts *accounts, const struct core_config
 void credit_take(struct accounts *accounts, const struct game *game,
                  const struct core_config *config, uint8_t what, struct output *output);
 
-/* Ends the running round early. The credit is refunded if one was taken and
- * round_standing_is_spent() returns false. Otherwise `balance.open` stays set, and the caller must
- * close the round. `balance.open` also stays set if a free round ends because all controllers were
- * lost, so that the round is logged with its result. */
+/* Ends the running round early. If round_standing_is_spent() returns false, the function refunds
+ * the credit, if one was taken, and closes the round. If round_standing_is_spent() returns true,
+ * `balance.open` stays set, and the caller must close the round. `balance.open` also stays set in
+ * free play if the round ends because all controllers were lost, because the caller then logs the
+ * round with its result. */
 void credit_refund(struct accounts *accounts, const struct game *game,
                    const struct core_config *config, enum refund_cause cause,
                    struct output *output);
@@ -294,8 +295,8 @@ void credit_show(const struct accounts *accounts, const struct core_config *conf
  * LEDGER_STAND is written only when the LEDGER_STAND before it is on disk. A change that was still
  * waiting at the power cut is therefore missing in the LEDGER_ROUND. */
 
-/* Fraction of a round's length after which the credit of the round is not refundable: two
- * thirds. */
+/* Share of the round's length, as a fraction, after which the credit of the round is not
+ * refundable: two thirds. */
 #define STAND_SHARE_NUMERATOR 2u
 #define STAND_SHARE_DENOMINATOR 3u
 

@@ -63,7 +63,8 @@ enum audit_id {
      * opens only after a correct PIN, which sets the counter to 0. */
     AUDIT_WRONG_PINS,
     AUDIT_FORMAT_7_COUNT, /* Number of counters in recordings of the older format 7. */
-    /* First of the counters of repeated controller losses, one for each slot. */
+    /* First of the counters of LEDGER_LOSS entries (repeated losses of a slot's controller during
+     * rounds), one for each slot. */
     AUDIT_LOST_AGAIN = AUDIT_FORMAT_7_COUNT,
     /* Number of tickets sent to the ticket dispenser. AUDIT_TICKETS includes these tickets. The
      * counter belongs to group 0. */

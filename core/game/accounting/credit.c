@@ -72,7 +72,8 @@ void credit_take(struct accounts *accounts, const struct game *game,
     struct balance *balance = &accounts->ledger.balance;
     CORE_ASSERT(credit_can_play(&accounts->ledger, config));
     CORE_ASSERT(what < CHOICE_COUNT);
-    CORE_ASSERT(balance->open == PAYMENT_NONE); /* coins_tick() closed the previous game. */
+    /* No game is open, because coins_tick() closes the previous game. */
+    CORE_ASSERT(balance->open == PAYMENT_NONE);
     const struct ledger_entry entry = {
         .kind = LEDGER_BEGIN,
         .detail = what,
@@ -97,9 +98,9 @@ void credit_take(struct accounts *accounts, const struct game *game,
 }
 
 /* Ends the open round in the balance and refunds its credit if the credit is refundable. The
- * balance may then exceed SET_CREDIT_MAX by one, because the credit belongs to a player. After a
- * restart, an open round may have a non-refundable credit if no player had joined. The
- * LEDGER_REFUND of that round has `count` 0. */
+ * balance may then exceed SET_CREDIT_MAX by one, because the credit belongs to a player. If a
+ * restart interrupted a round that no player had joined, the function closes the round even if the
+ * credit is not refundable. The LEDGER_REFUND of such a round has `count` 0. */
 void credit_refund(struct accounts *accounts, const struct game *game,
                    const struct core_config *config, enum refund_cause cause, struct output *output)
 {

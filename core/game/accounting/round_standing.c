@@ -20,8 +20,8 @@
 #define BOT_SHIFT 20u
 #define LEVEL_SHIFT 21u
 #define LEVEL_MASK 3u
-/* Number of the lowest bit of the paper grade in the member `detail`. The lower bits of `detail`
- * hold the mode. */
+/* Position of the lowest bit of the paper grade in the member `detail`. The bits below this
+ * position hold the mode. */
 #define GRADE_SHIFT 4u
 #define MODE_MASK 15u
 _Static_assert(POI_MAX *CAUGHT_BITS <= 32u && POI_MAX <= 4u, "each slot has a byte and a bit");

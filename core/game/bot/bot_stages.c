@@ -133,7 +133,7 @@ static void bot_soak(struct bot *bot, uint32_t tick)
     const float done_s = bot_stage_s(bot, tick), share = bot->technique.wet;
     const float low_m = TARGETING_RING_M * f_sin(-SOAK_PITCH_RAD);
     vec3 place_m = bot_ground_m(bot);
-    /* Choose the height at which the share `share` of the tilted ring's area is under water. */
+    /* Choose the ring's height so that `share` of the area of the tilted ring is under water. */
     place_m.y = share >= 0.99f ? -low_m - SOAK_MARGIN_M : -(2.0f * share - 1.0f) * low_m;
     const vec3 over_m = v3(place_m.x, BOT_HOVER_Y_M, place_m.z);
     const vec3 aside = v3_sub(bot->hand.pose.position_m, over_m);
@@ -187,8 +187,8 @@ static void bot_choose(struct bot *bot, uint32_t tick)
 #define DIP_S_MAX 1.2f
 #define APPROACH_S_MAX 1.5f
 
-/* Keeps the poi over the start of the path, which moves with the fish. Returns true when the poi
- * has arrived there. */
+/* Keeps the poi over the start of the path to the target fish. The path moves with the fish.
+ * Returns true when the poi has arrived over the start. */
 static bool keep_over_entry(struct bot *bot, uint32_t tick)
 {
     const struct technique *technique = &bot->technique;
@@ -343,7 +343,7 @@ static void bot_lift(struct bot *bot, uint32_t tick)
 }
 
 /* Returns the position above the near side of the bowl at which the poi is tipped. `toward` is the
- * horizontal unit vector in which the ring approaches the bowl. */
+ * horizontal unit vector of the direction in which the ring approaches the bowl. */
 static vec3 over_bowl_m(const struct bot *bot, vec3 toward)
 {
     CORE_ASSERT(bot->known.bowl.present);

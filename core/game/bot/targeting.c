@@ -23,8 +23,8 @@
  * fish is scooped near the rim. */
 #define RIM_MIN 0.20f
 #define RIM_MAX 0.45f
-/* Tilt of the paper from which the ring enters the water exactly along the paper's plane. At a
- * smaller tilt the path is steeper than the paper's plane. */
+/* Smallest tilt of the paper at which the ring enters the water exactly along the paper's plane. At
+ * a smaller tilt the path is steeper than the paper's plane. */
 #define STEEP_RAD (35.0f * F_DEG)
 
 /* Smallest and largest yaw of the poi's handle that a right hand can reach. At yaw 0 the handle

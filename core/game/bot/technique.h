@@ -61,5 +61,6 @@ struct technique {
 extern const struct technique technique_novice;
 
 /* Technique that wets the whole paper, tilts the paper on entry, and moves the paper edge first
- * under water. The poi waits as a still shadow and scoops the fish head first, near the rim. */
+ * under water. The bot holds the poi still until the fish is calm, because a still shadow does not
+ * startle fish, and scoops the fish head first, near the rim. */
 extern const struct technique technique_expert;

@@ -61,8 +61,8 @@
 /* Fraction of the remaining distance that a poi moves per tick while it returns to the controller's
  * pose. The poi therefore slows down near its goal. */
 #define BACK_SHARE 0.08f
-/* Growth of the speed limit of a returning poi after the damage immunity has ended. Each second
- * adds five times BACK_DRY_M_S or BACK_WET_M_S to the limit, so that every return ends. */
+/* Growth per second of the speed limit of a returning poi after the damage immunity has ended, in
+ * units of BACK_DRY_M_S or BACK_WET_M_S. The limit grows so that every return ends. */
 #define BACK_HASTE_PER_S 5.0f
 /* Growth per second of the fraction BACK_SHARE after the damage immunity has ended, so that every
  * return ends. */
@@ -230,8 +230,9 @@ static void change_holder(struct control *control, struct bot *bot, const struct
     if (poi->link == POI_SOURCE_BOT) {
         bot_init(bot, &technique_expert, seed);
         bot->hand.pose = control->hand_pose;
-        controller_forget_path(control); /* The bot has no controller to whose pose the poi would
-                                            return. */
+        /* Cancel a return to the pose of the previous controller, because the bot controls the poi
+         * now. */
+        controller_forget_path(control);
     }
     if (poi->link == POI_SOURCE_LIVE && control->holder == POI_SOURCE_LOST) {
         control->return_ticks = control->was_lost = 1;
@@ -335,7 +336,7 @@ static struct poi_target soften(const struct player *player, struct poi_target f
 }
 
 /* Parks a poi that is not in use. A bot continues to take snapshots. When a person uses the poi
- * again, its pose is blended gently. */
+ * again, the poi moves gradually from the rest position to the person's pose. */
 static void tick_parked(struct control *control, struct bot *bot, const struct game *game,
                         struct world *world, uint32_t index)
 {
@@ -351,7 +352,8 @@ static void tick_parked(struct control *control, struct bot *bot, const struct g
     }
 }
 
-/* Updates one poi. During a pause for a lost controller, every poi of the tank is in failsafe. */
+/* Updates the target pose of one poi. While the round is paused because of a lost controller, the
+ * failsafe moves every poi of the tank out of the water. */
 static void tick_hand(struct control *control, struct bot *bot, const struct game *game,
                       struct world *world, const struct input *input, uint32_t index)
 {

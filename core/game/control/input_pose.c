@@ -12,8 +12,8 @@
  * uneven intervals. A motion at 3 m/s with one missing report exceeds the limit by 3.4 cm. */
 #define ARM_LEAP_M 0.035f
 #define POINTER_LEAP_M 0.30f
-/* Highest rotation rate that the jump test accepts: the speed per second of the tips of the pose's
- * unit axes. The value equals rad/s for small rotations. */
+/* Highest rotation rate that the jump test accepts, as the distance per second that the tip of a
+ * unit axis of the pose moves (input_turn()). The rate equals rad/s for small rotations. */
 #define WRIST_PER_S 40.0f
 /* Rotation beyond the rate WRIST_PER_S that the jump test tolerates. Both constants together permit
  * a rotation of 36 degrees in one tick. */
@@ -65,10 +65,10 @@ struct poi_target input_pose_between(const struct poi_target *from, const struct
     return pose_between(*from, *to, share);
 }
 
-/* Returns the new sum of excess motion. The sum `before` grows by the motion `step` of this tick
- * and shrinks by the motion `free` that is allowed per tick. A negative sum is motion that is still
- * allowed because reports were missing. The negative part decays within the frame in which the pose
- * catches up. */
+/* Returns the new sum of excess motion, which is motion beyond the speed limit. `before` is the sum
+ * of the last tick, `step` the motion of this tick, and `free` the motion that is allowed per tick.
+ * A negative sum is a credit of motion for ticks without reports. The credit decays by the factor
+ * CREDIT_KEEP per tick. */
 static float excess_motion_sum(float before, float step, float free)
 {
     CORE_ASSERT(free >= 0.0f);
@@ -96,7 +96,7 @@ static bool detect_pose_jump(struct input_validation *validation, const struct p
     const bool is_jump = validation->excess_m > leap_m || validation->spin > LEAP_TURN;
     if (is_jump) {
         validation->excess_m = validation->spin =
-            0.0f; /* Both sums restart at the new pose, because the sensor may stay there. */
+            0.0f; /* After a jump, reset both sums, because the sensor may stay at the new pose. */
     }
     return is_jump && input->has_wrist;
 }
@@ -130,10 +130,10 @@ float input_validation_blend(const struct input_validation *validation)
     return validation->late_ticks > 1 ? 1.0f / (float)validation->late_ticks : 1.0f;
 }
 
-/* Validates one tick's input of a controller. Motion that was missed while reports were late is
- * replayed in three quarters of the missed time, so that late reports never reduce the wear of the
- * paper. The replay follows a straight line, which is shorter than the actual path. In the full
- * time, the replay would be slower than the actual motion and wear the paper less. */
+/* Validates one tick's input of a controller. After late reports, the poi catches up with the
+ * missed motion in three quarters of the missed time. The poi then follows a straight line, which
+ * is shorter than the actual path of the controller. In the full time, the poi would therefore be
+ * slower than the controller, and late reports would reduce the wear of the paper. */
 enum input_status input_validation_tick(struct input_validation *validation,
                                         const struct poi_input *input)
 {

@@ -17,18 +17,20 @@
 #define ON_RIM_M 0.004f
 /* Height of the poi above the tank's rim on its way to the rest position. */
 #define OVER_RIM_M 0.020f
-#define LIFT_M_S 0.30f /* Upward speed of a poi that is parked. The paper takes no damage. */
+/* Upward speed of a poi on its way to the rest position. The paper takes no damage. */
+#define LIFT_M_S 0.30f
 #define AWAY_M_S 0.80f
 /* Fraction of the remaining distance to the rest position that the poi moves per tick. The poi
  * therefore slows down near the rest position. */
 #define AWAY_SHARE 0.06f
-/* Number of ticks in which a poi that is parked accelerates, so that its motion starts gently. */
+/* Number of ticks in which a poi accelerates on its way to the rest position. */
 #define START_TICKS 36.0f
 #define TURN_RAD_S 3.0f
 /* Horizontal distance to the rest position within which the poi is lowered to the rim. */
 #define NEAR_M 0.03f
 #define DOWN_M_S 0.08f /* Speed at which the poi is lowered to its rest position. */
-#define CLEAR_M 0.010f /* Smallest distance between a poi that is parked and a bowl. */
+/* Smallest distance between a poi that moves up to its rest position and a bowl. */
+#define CLEAR_M 0.010f
 #define FADE_TICKS 60.0f
 
 struct poi_target parking_place(const struct world *world, uint32_t index)
@@ -87,10 +89,10 @@ static float step_of(float way_m, float pace_m_s)
     return f_clamp(way_m, -pace_m_s * CORE_TICK_S, pace_m_s * CORE_TICK_S);
 }
 
-/* Returns the next target pose of a poi that is parked. The path has four steps: toward the middle
- * of the tank, up, over the rims, and down. The ring's actual position selects the step. The first
- * step is taken while the ring is below a bowl or between two bowls, where the ring cannot move
- * up. */
+/* Returns the next target pose of a poi on its way to the rest position. The path has four steps:
+ * toward the middle of the tank, up, over the rims, and down. The ring's actual position selects
+ * the step. The step toward the middle is needed only while the ring is below a bowl or between two
+ * bowls, where the ring cannot move up. */
 struct poi_target parking_path(const struct game *game, const struct world *world, uint32_t index,
                                struct poi_target hand)
 {

@@ -66,7 +66,8 @@ static uint32_t nearest_fish(const struct tank *tank, vec3 place_m)
     return nearest;
 }
 
-/* A fish of a player without a catch is a present, so that the album needs no other mark. */
+/* Returns true if `fish` is a present. All fish of a player who caught none are presents, so the
+ * album does not mark presents. */
 static bool is_present(const struct game *game, const struct album_fish *fish)
 {
     CORE_ASSERT(fish->owner < POI_MAX);
@@ -77,7 +78,8 @@ void album_give_presents(struct album *album, const struct player player[POI_MAX
                          struct world *world, const struct core_config *config)
 {
     struct tank *tank = &world->tank;
-    uint32_t last = ALBUM_FISH_MAX; /* On a full page, presents replace the fish from the last. */
+    /* If the page is full, each present replaces a caught fish, beginning with the last fish. */
+    uint32_t last = ALBUM_FISH_MAX;
     for (uint32_t i = 0; i < POI_MAX && config_has_rules(config, 9); i++) {
         struct bowl *bowl = &world->bowl[i];
         const uint32_t fish = nearest_fish(tank, bowl->position_m);
@@ -152,10 +154,9 @@ void album_show(const struct game *game, struct scene_album *out)
          * most. */
         const float progress = f_smoothstep(0.0f, 1.0f, f_min(share, 1.0f));
         const float age_days = life_age_days(card, progress);
-        /* At the start of the life, the displayed length is the usual length of the species. Until
-         * the age at which the fish was caught, the ratio of the displayed length to the usual
-         * length changes gradually to the ratio of this fish. After that age the ratio stays
-         * constant. */
+        /* A caught fish may be longer or shorter than usual for its age. The ratio of its displayed
+         * length to the usual length is 1 at the start of the life, changes linearly with age to
+         * the fish's actual ratio at the age of capture, and then stays constant. */
         const float usual_m = life_length_m(card, life_progress(card, fish->age_days));
         const float part = f_min(age_days / f_max(fish->age_days, 1.0f), 1.0f);
         out->fish[i] = (struct scene_grown){

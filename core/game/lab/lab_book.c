@@ -1,7 +1,7 @@
 /* lab_book.c -- gives access to the species by index, validates their data, and computes its hash.
  *
  * Packed species files are validated before they are loaded (platform/species/validate.c). The lab
- * book of a recording is read directly from disk, so the same ranges are checked here. */
+ * book in a recording does not come from a species file, so this file checks the same ranges. */
 #include "core/game/lab/lab_edit.h"
 
 #include "core/base/panic.h"

@@ -26,8 +26,8 @@ enum name_alphabet {
 #define NAME_ROWS 5u
 #define NAME_CELLS (NAME_COLUMNS * NAME_ROWS)
 
-/* Function keys of the keyboard. Their numbers follow the cells' numbers, in the order in which
- * LEFT and RIGHT step. */
+/* Function keys of the keyboard. The numbers of the function keys follow the numbers of the letter
+ * cells. LEFT and RIGHT move from key to key in the order of the numbers. */
 enum name_key {
     NAME_ALPHABET = NAME_CELLS, /* Switches to the next alphabet. */
     /* Changes the last letter to its next form: a voiced or small kana, or a capital letter. */

@@ -48,8 +48,9 @@ uint32_t name_normalize(const char *utf8, enum name_ends ends, uint16_t out[NAME
     /* Pairs of a digit, a sign or `l`, and the letter that it resembles. `l` is mapped to `i`
      * because `l` resembles `I`. */
     static const char signs[] = "0o1i2z3e4a5s6b7t8b9g@a$s!i|i+tli";
-    uint32_t count = 0, end = 0; /* `count` is the number of letters so far. `end` is the number
-                                    of letters up to the last letter that is not decoration. */
+    /* `count` is the number of letters so far. `end` is the same number without decoration (digits
+     * and signs) at the end of the name. */
+    uint32_t count = 0, end = 0;
     while (*utf8 != 0 && count < NAME_NORMALIZE_MAX) {
         const uint32_t point = printable_next(&utf8);
         /* Letters above U+FFFF are not distinguished, because no such letter has another form. */

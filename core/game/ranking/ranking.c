@@ -47,9 +47,9 @@ static void begin_week(struct ranking *ranking, const struct ledger_entry *entry
 }
 
 /* Starts a new day or week of the leaderboards if `entry` belongs to a new day. Entries with a date
- * are compared by date, and entries without a date by the number of the kiosk's start. Without a
- * date only a round starts a new day. The clock of a board without a battery may be set a minute
- * after the start, before any round. A date one day back means that the clock was set around
+ * are compared by date, and entries without a date by the boot counter (number of kiosk starts).
+ * Without a date only a round starts a new day. The clock of a board without a battery may be set a
+ * minute after the start, before any round. A date one day back means that the clock was set around
  * midnight, and starts no new day. Any other date starts a new day. Otherwise one wrong date would
  * block the leaderboard for years. Rounds that were played before the clock was set belong to the
  * day that the clock then shows. */

@@ -39,12 +39,13 @@ struct rank_row {
 };
 
 struct ranking {
-    /* Number of the kiosk start in which the newest entry of the current day was written. */
+    /* Boot counter (number of kiosk starts so far) of the newest entry of the current day. */
     uint32_t boot;
     uint16_t day; /* Current day; 0 means that the day began without a clock. */
     /* Current week, counted from 1999-12-27; 0 means that the week began without a clock. */
     uint16_t week;
-    uint32_t week_boot; /* Number of the kiosk start in which the current week began. */
+    /* Boot counter (number of kiosk starts so far) when the current week began. */
+    uint32_t week_boot;
     struct rank_row row[RANK_BOARD_COUNT][RANK_PERIOD_COUNT][RANK_ROWS];
 };
 
