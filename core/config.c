@@ -23,8 +23,8 @@ void config_apply_settings(struct core_config *config, const struct settings *se
     config->modes = (uint8_t)value[SET_MODES];
     config->grade = (uint8_t)value[SET_GRADE];
     config->round_s = (uint32_t)value[SET_ROUND_S];
-    /* A count beyond the capacity of the tank comes from an SD card or a configuration file that
-     * was used with a larger tank. */
+    /* Limit the number of fish to the capacity of the tank. The setting may exceed the capacity if
+     * the SD card or the configuration file was used with a larger tank. */
     const uint32_t fish_max = tank_preset_fish_max(tank_preset(config->preset), 1.0f);
     config->fish_count =
         (uint32_t)value[SET_FISH] < fish_max ? (uint32_t)value[SET_FISH] : fish_max;

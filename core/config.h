@@ -37,10 +37,9 @@ struct core_config {
     /* Number of floats in a SIMD vector: 4, or 8 on x86-64 with AVX2; 0 counts as 4. The number
      * changes no result, so hashes and recordings exclude it. */
     uint8_t lanes;
-    struct persistent_state
-        persistent; /* Persistent state that the store loaded at startup. The settings in
-                       `persistent` do not override the fields above; see
-                       config_apply_settings(). */
+    /* Persistent state that the store loaded at startup. The settings in `persistent` do not
+     * override the fields above; see config_apply_settings(). */
+    struct persistent_state persistent;
     /* State that the core carries over when it reinitializes itself for a new session; all zero at
      * the start of the kiosk. */
     struct game_session session;

@@ -33,11 +33,13 @@ static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish 
     out->progress = life_progress(&species_wakin.card, fish->age_days);
 }
 
-/* Frequency at which a lifted fish curls up and stretches, and the largest bend of its body. */
+/* THRASH_HZ is the frequency at which a lifted fish curls up and stretches. THRASH_RAD is the
+ * largest bend of the fish's body. */
 #define THRASH_HZ 5.5f
 #define THRASH_RAD 1.2f
-/* Share of the bend that a thrashing fish keeps while it stretches, and the share of its length by
- * which a complete bend raises its middle above the paper. */
+/* THRASH_REST is the share of the largest bend that a thrashing fish keeps while it stretches.
+ * THRASH_RISE is the height by which the largest bend raises the middle of the fish above the
+ * paper, as a share of the fish's length. */
 #define THRASH_REST 0.25f
 #define THRASH_RISE 0.10f
 
@@ -69,7 +71,8 @@ static void show_thrash(const struct poi *poi, uint32_t tick, struct scene_fish 
     }
 }
 
-/* Time in ticks in which a present falls into the bowl, and the height from which it falls. */
+/* Presents are fish given to players without a catch. PRESENT_TICKS is the time in which a present
+ * falls into the bowl, and PRESENT_FALL_M is the height of the fall. */
 #define PRESENT_TICKS (CORE_TICK_HZ / 2u)
 #define PRESENT_FALL_M 0.20f
 

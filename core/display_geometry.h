@@ -31,7 +31,7 @@ struct display_settings {
 /* Transform for one screen size. */
 struct display_transform {
     float screen_width, screen_height; /* Screen size in pixels, > 0. */
-    /* Size of the picture in pixels in its own orientation, > 0. */
+    /* Width and height of the picture in pixels before its rotation, > 0. */
     float width, height;
     /* Position of the picture's top left corner on the screen, in pixels. */
     float x, y;

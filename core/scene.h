@@ -134,7 +134,7 @@ struct scene_pump {
 struct scene_ghost {
     uint8_t is_present;
     uint8_t carries; /* 1 if the ghost carries a fish, otherwise 0. */
-    float opacity;   /* [0, 1] */
+    float opacity;   /* Opacity of the ghost, [0, 1]. */
     vec3 position_m; /* Position of the ring's centre. */
     struct angles angles;
 };
@@ -338,7 +338,7 @@ struct scene {
         uint8_t plays; /* 1 if the player takes part in this round, otherwise 0. */
         /* 1 if the controller is disconnected or its input is invalid, otherwise 0. */
         uint8_t lost;
-        uint8_t fouls; /* 0 .. FOUL_MAX */
+        uint8_t fouls; /* Number of the player's counted fouls, 0 .. FOUL_MAX. */
         uint8_t foul;  /* Kind of the latest foul (enum foul). */
         float foul_s;  /* Seconds since the latest foul. */
         /* 1 if the player's round is over, because of fouls or because no paper is left; otherwise

@@ -62,7 +62,7 @@ struct scene_menu {
     uint8_t calibrate_fault; /* enum calibration_fault of the last attempt. */
     /* Progress of holding the poi still during calibration, [0, 1]. */
     float menu_calibrate_progress;
-    vec3 calibrated_m; /* Calibrated position of the poi. */
+    vec3 calibrated_m; /* Position of the poi after the correction by the calibration. */
     /* Page of statistics from which the operator opened the page that confirms a reset. */
     uint8_t from;
     uint8_t pin_count; /* Number of PIN digits typed. */

@@ -1,4 +1,5 @@
-/* view.c -- computes with the pinhole camera: axes, field of view, and points under the screen. */
+/* view.c -- computes the axes and the field of view of the pinhole camera, and the point of the
+ * tank that the camera shows at a screen point. */
 #include "core/view.h"
 
 #include "core/base/panic.h"

@@ -154,6 +154,8 @@ void game_tick(struct game *game, struct world *world, struct core_config *confi
     session_language_tick(game, config, input);
     ledger_tick(&game->accounts.ledger, config, input);
     health_log_tick(&game->accounts, &game->health_log, game, config, input, output);
+    /* Select the source of each poi (controller or bot) again, because a new phase may use a
+     * different source. */
     controller_assign(game, world, input);
     coins_tick(&game->accounts, game, world, config, input, output);
     const uint8_t phase = game->phase;
@@ -164,10 +166,7 @@ void game_tick(struct game *game, struct world *world, struct core_config *confi
     }
     self_test_tick(&scope, said);
     settings_edit_tick(&scope);
-    controller_assign(game, world,
-                      /* Select the source of each poi (controller or bot) again, because a new
-                       * phase may use a different source. */
-                      input);
+    controller_assign(game, world, input);
     controller_tick_all(game->control, game->bot, game, world, config, input, targets, live);
     hints_tick(&game->hints, game, world, config);
     show_outputs(game, config, output);

@@ -43,8 +43,9 @@ static const struct rules table[MODE_COUNT] = {
  * - A much larger ring does not help, because the larger sheet pushes more water and more fish
  *   away.
  * - Strong smoothing does not help, because the ring then arrives late below the fish.
- * - At normal the latency is almost that of living fish. A longer latency helps a player who chases
- *   fish, but not a player who waits below the fish. A higher threshold helps both. */
+ * - At LEVEL_NORMAL the fish react almost as fast as living fish. A longer latency of the reaction
+ *   helps a player who chases fish, but not a player who waits below the fish. A higher threshold
+ *   of the reaction helps both. */
 static const struct level_rules levels[LEVEL_COUNT] = {
     [LEVEL_MASTER] = { .name = "master", .ring_radius_m = POI_RADIUS_M },
     [LEVEL_NORMAL] = {

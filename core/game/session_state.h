@@ -71,8 +71,8 @@ struct language_choice {
 /* State carried over from the previous session. All fields are 0 if the kiosk has just started. */
 struct game_session {
     uint32_t tick; /* First tick of this session; 0 at the kiosk's start. */
-    /* `command_count` is the member of struct menu. `edit_save_id` and `edit_saved_id` are the
-     * members `save_id` and `saved_id` of struct lab. */
+    /* Copies of members of the game's state: `command_count` of struct menu, and `save_id` and
+     * `saved_id` of struct lab. */
     uint32_t command_count, edit_save_id, edit_saved_id;
     struct ledger ledger;
     struct credit credit;

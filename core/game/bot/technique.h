@@ -8,17 +8,10 @@
 
 #include <stdint.h>
 
-enum technique_side {
-    SIDE_ANY = 0,
-    SIDE_HEAD,
-    SIDE_TAIL,
-    SIDE_COUNT
-}; /* End of the fish under which the ring passes first. */
-enum technique_place {
-    PLACE_CENTRE = 0,
-    PLACE_RIM,
-    PLACE_COUNT
-}; /* Part of the paper on which the bot tries to place the fish. */
+/* End of the fish (head or tail) under which the ring passes first. */
+enum technique_side { SIDE_ANY = 0, SIDE_HEAD, SIDE_TAIL, SIDE_COUNT };
+/* Part of the paper on which the bot tries to place the fish. */
+enum technique_place { PLACE_CENTRE = 0, PLACE_RIM, PLACE_COUNT };
 /* Style of the lift. LIFT_FAST lifts at 2.5 times `lift_m_s` and reaches that speed in less than
  * half the time, even if the ring lags behind the arm. LIFT_FAST ignores `drain_s` and does not
  * wait for the water to drain. */

@@ -94,8 +94,9 @@ static void mark_fish(struct lessons *lessons, const struct game *game, const st
 
 /* ---- Hint beside the poi --------------------------------------------------------------------- */
 
-/* Returns true if the player has made the fault that `hint` cures. The hints about haste, technique
- * and wet paper follow from a fault (hints.c), so that they need no further condition. */
+/* Returns true if the player has made the fault that `hint` corrects. The hints about haste,
+ * technique and wet paper need no further condition, because hints.c selects these hints only after
+ * a fault. */
 static bool is_fault(const struct lesson *lesson, const struct game *game,
                      const struct world *world, uint8_t hint)
 {

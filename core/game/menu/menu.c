@@ -77,9 +77,8 @@ static void open_menu(struct game *game, struct world *world, const struct core_
     } else {
         credit_refund(&game->accounts, game, config, REFUND_OPERATOR, output);
     }
-    health_log_write(&game->accounts, &game->health_log, game->tick, input,
-                     output); /* Log uptime and faults, so that the statistics in the menu are up
-                                 to date. */
+    /* Log uptime and faults, so that the statistics in the menu are up to date. */
+    health_log_write(&game->accounts, &game->health_log, game->tick, input, output);
     game->paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         world->poi[i].carried_count = 0; /* Return the fish on the paper to the water. */

@@ -119,8 +119,10 @@ static uint8_t nth_child(uint8_t parent, uint32_t nth, uint32_t *count)
     return MENU_PAGE_COUNT;
 }
 
-/* Returns setting `nth` of the group `group`. Settings of kind KIND_BITS are not counted, because
- * each has a page of its own. If `hides_level` is true, SET_LEVEL is not counted. */
+/* Returns setting `nth` of the group `group`, or SETTING_COUNT if the group has fewer settings.
+ * Writes the number of settings counted until then to `*count`. Settings of kind KIND_BITS are not
+ * counted, because each has a page of its own. If `hides_level` is true, SET_LEVEL is not
+ * counted. */
 static uint32_t nth_setting(uint8_t group, bool hides_level, uint32_t nth, uint32_t *count)
 {
     *count = 0;
