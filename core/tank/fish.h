@@ -119,8 +119,8 @@ struct fish {
     float length_m;          /* Total length. */
     float height_m, width_m; /* Height and width of the body box. */
     float stamina;           /* Stamina [0, 1]; 0 means exhausted. */
-    /* Velocity in world coordinates, computed from the real motion of the last tick including
-     * pushes. */
+    /* Velocity in world coordinates, computed from the real motion of the fish in the last tick.
+     * The motion includes pushes by other fish and obstacles. */
     vec3 velocity_m_s;
     float bend_rad;
     float tail_phase_rad, tail_beat_hz, tail_amplitude;
@@ -135,7 +135,7 @@ struct fish {
     /* Index of the poi or bowl that holds the fish: a poi in GAIT_HELD, a bowl in GAIT_BOWL.
      * FISH_HOLDER_WATER in GAIT_HELD means reentry. */
     uint8_t holder;
-    uint8_t thought_tick; /* Low 8 bits of the tick in which the fish last decided. */
+    uint8_t thought_tick; /* Low 8 bits of the number of the tick in which the fish last decided. */
     /* Time until the fish chooses its next gait. For a fish in reentry: time since the fish came
      * back into the water. */
     float gait_left_s;

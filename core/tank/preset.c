@@ -1,4 +1,4 @@
-/* preset.c -- the three tank presets with their fish and behavior parameters. */
+/* preset.c -- defines the three tank presets with their fish and behavior parameters. */
 #include "core/tank/preset.h"
 
 #include "core/base/panic.h"

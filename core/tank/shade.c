@@ -9,12 +9,11 @@
 /* Strength with which a still shade attracts fish. The value is the factor S in eq. 3.5 of the 2013
  * thesis on goldfish behavior, converted to 1/s: 0.01 per frame at 60 frames per second. */
 #define PULL_PER_S 0.60f
-/* Lower limit of the speed at which a fish that a shade attracts turns into the direction of its
- * intended velocity. The intended velocity is the sum of the fish's own velocity and the attraction
- * of the shades. The direction of a slower velocity is nearly random, so the fish keeps its yaw. */
+/* Lower limit of the intended speed at which a fish that a shade attracts turns. A slower fish
+ * keeps its yaw, because the direction of a very slow velocity is nearly random. */
 #define HARDLY_M_S 0.005f
-/* Speed, in body lengths per second, at which nearby fish must push a fish out of a shade to cancel
- * the attraction of the shade completely. A weaker push reduces the attraction. */
+/* Speed, in body lengths per second, with which nearby fish must push a fish outward so that a
+ * shade does not attract the fish any more. A weaker push reduces the attraction. */
 #define FULL_LENGTHS_PER_S 0.1f
 /* Width of the rim around a shade in which the shade already startles fish (design value). */
 #define FRIGHT_RIM_M 0.02f

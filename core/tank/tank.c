@@ -1,5 +1,5 @@
-/* tank.c -- the order of a tick for all fish: decisions, motion, broad phase, contact solver and
- * velocities. */
+/* tank.c -- advances all fish by one tick, in the order decisions, motion, broad phase, contact
+ * solver and velocities. */
 #include "core/tank/tank.h"
 
 #include "core/base/panic.h"

@@ -32,7 +32,8 @@ struct tank {
     vec3 size_m;
     float wall_height_m;
     float wall_follow;    /* Strength [0, 1] with which walls attract fish. */
-    bool ball_spaces;     /* True if personal spaces are balls instead of boxes. */
+    bool ball_spaces;     /* True if the personal space around each fish is a ball instead of a
+                             box. */
     struct temper temper; /* How much calmer the fish are in this round than living fish. */
     uint32_t fish_count;
     struct fish fish[TANK_FISH_MAX];
@@ -65,9 +66,9 @@ struct tank_config {
     vec3 size_m;
     /* Strength [0, 1] with which walls attract fish; 0 in every preset. */
     float wall_follow;
-    /* True if personal spaces are balls around the bodies instead of boxes. Balls serve only for
-     * comparison with section 3.4 of the 2013 thesis on goldfish behavior, and with balls each fish
-     * is tested against each other fish. */
+    /* True if the personal space around each fish is a ball instead of a box. Balls serve only for
+     * comparison with section 3.4 of the 2013 thesis on goldfish behavior. With balls, the time of
+     * a query grows with the square of the number of fish. */
     bool ball_spaces;
     /* Range of the stamina at the start, within [0, 1]. The random stamina has a uniform
      * distribution. */
@@ -180,5 +181,5 @@ struct perception tank_perception(const struct tank *tank, uint32_t tick,
  * alarm is high; otherwise the fish swims. */
 void reentry_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s);
 
-/* Advances all fish in reentry by one tick; called after the contact solver. */
+/* Advances all fish in reentry (reentry_begin()) by one tick; called after the contact solver. */
 void reentry_tick(struct tank *tank, const struct obstacle *obstacles, uint32_t obstacle_count);

@@ -1,4 +1,4 @@
-/* tank_open.c -- opening a tank: validates its configuration, creates the fish and places the fish
+/* tank_open.c -- opens a tank: validates its configuration, creates the fish and places the fish
  * without overlap. */
 #include "core/tank/tank.h"
 

@@ -47,9 +47,9 @@ static struct span span_of(float at, float radius, int32_t count)
                           span.last >= count ? count - 1 : span.last };
 }
 
-/* Presses the surface down around a point. Changes the heights of the current step of the wave
- * equation and of the previous step equally. Therefore the push adds no velocity, and the waves
- * start from rest. */
+/* Presses the surface down around a point. The layer of the current heights and the layer of the
+ * previous heights change equally. Therefore the push adds no velocity, and the waves start from
+ * rest. */
 void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m, float depth_m)
 {
     CORE_ASSERT(size_m.x > 0.0f && size_m.z > 0.0f);

@@ -34,7 +34,8 @@
 #define STRUCK_SHARE 0.15f
 #define TURN_LAG_S 0.12f /* Time constant with which the yaw rate decays after a turn. */
 /* Speed at which repulsion separates two fish that touch each other, in body lengths per second.
- * The value equals (7.5 - 5.25) cm/s for a fish of 5 cm (2013 thesis, section 3.3). */
+ * For a fish of 5 cm the value equals 2.25 cm/s, which is 7.5 minus 5.25 cm/s (2013 thesis, section
+ * 3.3). */
 #define REPULSION_LENGTHS_PER_S 0.45f
 /* Largest gap at which two fish repel each other, in body lengths. For a fish of 5 cm the gap is 1
  * cm. */

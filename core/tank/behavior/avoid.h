@@ -59,7 +59,7 @@ enum meeting_kind {
     MEET_STRUCK,   /* The other fish runs into the side of the fish. */
 };
 
-/* Input of avoid_meet() about one fish of a pair. */
+/* State of one fish of a pair, which avoid_meet() reads. */
 struct avoid_party {
     vec3 position_m;
     vec3 forward; /* Unit vector along the fish's forward axis. */
@@ -104,8 +104,8 @@ struct avoid_pair {
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
                              const struct behavior_params *params, uint32_t seed, uint32_t tick);
 
-/* Returns true if the fish keeps its present depth instead of swimming to its preferred depth. A
- * fish keeps its depth for 0.5 s after it avoided another fish by pitch. */
+/* Returns true if the fish keeps its present depth and does not swim to its preferred depth. A fish
+ * keeps its depth for 0.5 s after it avoided another fish by pitch. */
 bool avoid_holds_depth(const struct fish *fish);
 
 /* Advances the avoidance of a fish by `around->dt_s`. `advice` is about the nearby fish with the

@@ -1,9 +1,9 @@
-/* fish_behavior.c -- the decision of a fish. A fish senses, avoids and chooses goals in order of
- * urgency.
+/* fish_behavior.c -- computes the decision of a fish, which senses, avoids and chooses goals in
+ * order of urgency.
  *
  * Walls can attract fish: the heading of a swimming fish turns toward the walls, and the fish then
- * swims along them. With the constants in this file, the share of time that a single fish spends at
- * a distance from a wall falls to 1 / e over 7 cm (test_wall_following.c). */
+ * swims along them. With the constants in this file, a single fish spends the more time at a place,
+ * the nearer the place is to a wall. The time falls to 1 / e over 7 cm (test_wall_following.c). */
 #include "core/tank/behavior/fish_behavior.h"
 
 #include "core/base/panic.h"
@@ -18,10 +18,9 @@
  * change of the attraction. The delay keeps a fish from turning at every small change of the
  * attraction. */
 #define DRAWN_TAU_S 0.5f
-/* Decay rate, 1/s, of `push_m_s`: the velocity that the flow around a poi (paper scoop) and
+/* Decay rate, 1/s, of `push_m_s`, the velocity that the flow around a poi (paper scoop) and
  * sidesteps add to a fish. Each decision adds the velocity of the flow times this rate and the time
- * step. This addition and the decay balance when `push_m_s` equals the velocity of the flow, so a
- * constant flow moves the fish at the speed of the flow. */
+ * step. Therefore `push_m_s` approaches the velocity of a constant flow. */
 #define PUSH_PER_S 12.0f
 /* Distance below the hull (the underside) of a floating bowl from which a fish can swim under the
  * bowl. A fish whose back is less deep shuns the bowl: it turns away. */
@@ -142,8 +141,8 @@ void behavior_wall_follow(struct fish *fish, const struct perception *around)
     if (around->wall_follow <= 0.0f || (fish->gait != GAIT_SWIM && fish->gait != GAIT_BURST)) {
         return;
     }
-    /* Attraction of the walls along the horizontal axes x and z. The attractions of two opposite
-     * walls are subtracted. */
+    /* `x` and `z` are the attractions of the walls along the horizontal axes. The attractions of
+     * two opposite walls are subtracted. */
     const float length_m = fish->length_m;
     const vec3 half_m = v3_scale(around->size_m, 0.5f), at_m = fish->position_m;
     const float x = behavior_wall_pull(half_m.x - at_m.x, length_m) -

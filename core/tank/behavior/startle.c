@@ -1,4 +1,4 @@
-/* startle.c -- the startle response: stimuli, alarm, habituation and latency. */
+/* startle.c -- computes the startle response of a fish: stimuli, alarm, habituation and latency. */
 #include "core/tank/behavior/startle.h"
 
 #include "core/base/panic.h"
@@ -10,14 +10,14 @@
 #define ALARM_FADE_PER_S 0.6f
 /* Alarm of a fish after it began a C-start (escape). 1 is the full alarm. */
 #define ALARM_AFTER 0.2f
-/* Time in which a stimulus of strength 1 raises the alarm of a fish by 1. GROWTH_SPAN_RAD_S
- * (vision) and PUSH_SPAN_M2_S2 (pressure) define which stimulus has the strength 1. */
+/* Time in which a stimulus of strength 1 raises the alarm of a fish by 1. A visual stimulus has the
+ * strength 1 at GROWTH_SPAN_RAD_S, and a pressure stimulus at PUSH_SPAN_M2_S2. */
 #define FRIGHT_S 0.12f
 #define STRENGTH_MAX 12.0f
 
-/* An approaching object startles a fish only if its visual angle exceeds a limit and grows faster
- * than GROWTH_RAD_S. The limit is SEEN_RAD (20 degrees) for the most timid fish. The limit grows
- * with the boldness of the fish by up to SEEN_SPREAD_RAD (10 degrees). */
+/* Limits above which an approaching object startles a fish. The visual angle of the object must
+ * exceed SEEN_RAD (20 degrees) for the most timid fish, and up to SEEN_SPREAD_RAD (10 degrees) more
+ * for a bolder fish. The visual angle must also grow faster than GROWTH_RAD_S. */
 #define SEEN_RAD (20.0f * F_DEG)
 #define SEEN_SPREAD_RAD (10.0f * F_DEG)
 #define GROWTH_RAD_S 4.5f
@@ -114,10 +114,10 @@ struct startle_stimulus startle_of_disc(const struct obstacle *disc, const struc
     };
 }
 
-/* Shortest and longest latency of the nerves: the time from the moment in which a stimulus startles
- * a fish to the C-start (escape), for each cause of a startle. A shadow must fall on a fish for up
- * to 33 ms until it startles the fish (shade.c). The longest latency for a shadow is 115 ms, so
- * that a living fish escapes within 150 ms after a shadow appears. */
+/* Shortest and longest latency of the nerves, for each cause of a startle. The latency is the time
+ * from the moment in which a stimulus startles a fish to the C-start (escape). For a shadow the
+ * longest latency is only 115 ms, because a shadow must first fall on the fish for up to 33 ms
+ * (shade.c), and a living fish escapes within 150 ms after the shadow appears. */
 static const struct {
     float min_s, max_s;
 } nerves[] = {
@@ -144,9 +144,9 @@ void startle_alarm(struct fish *fish, enum startle_cause cause, vec3 from_m, flo
         fish->alarm <= startle_threshold(fish)) {
         return;
     }
-    /* The fish is startled and will escape after a latency. If the latency of an earlier stimulus
-     * has not ended, the latency that ends first is kept. Therefore an earlier visual stimulus does
-     * not delay the C-start after a pressure stimulus. */
+    /* The fish is startled and will escape after a latency. If the fish is already startled, only
+     * the shorter remaining latency counts. Therefore an earlier visual stimulus does not delay the
+     * C-start after a pressure stimulus. */
     const struct rng_key key = perception_key(around, index, RNG_STARTLE_LATENCY);
     const float late = fish->gait == GAIT_SURFACE ? GULPING_LATE : 1.0f;
     const float wait_s = (1.0f + temper->latency_gain) * late *

@@ -183,9 +183,9 @@ bool surface_tick(struct fish *fish, uint32_t index, const struct perception *ar
         }
         return true;
     case AIR_GULPS:
-        /* Continues or ends a bout of gulps. A living fish begins another bout while the oxygen is
-         * low, and otherwise dives. A fish of the 2013 thesis dives after one bout of 3 s, in which
-         * its stamina becomes full. */
+        /* A bout (a series of gulps) continues until `gait_left_s` is 0. Then a living fish begins
+         * another bout if the oxygen is low, and otherwise dives. A fish of the 2013 thesis dives
+         * after one bout of 3 s, in which its stamina becomes full. */
         if (surface_breathes(fish)) {
             fish->gait_left_s -= around->dt_s;
         }

@@ -1,5 +1,5 @@
-/* swim.h -- the motion of a fish, which turns at a bounded rate, beats its tail, glides and keeps
- * its depth. */
+/* swim.h -- moves a fish, which turns at a bounded rate, beats its tail, glides and keeps its
+ * depth. */
 #pragma once
 
 #include "core/tank/behavior_params.h"
@@ -37,8 +37,9 @@ void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, 
 /* Converts the decisions of the fish (gait, depth, avoidance) into the goals in struct fish. */
 void swim_resolve(struct fish *fish, const struct perception *around);
 
-/* Applies the attraction of shades to the goals; called after swim_resolve(). The fish moves at
- * `speed_goal_m_s`, even in GAIT_REST, and turns at least as fast as a swimming fish. */
+/* Changes the goals of a fish that a shade on the water attracts; called after swim_resolve(). The
+ * fish moves at `speed_goal_m_s`, even in GAIT_REST, and turns at least as fast as a swimming
+ * fish. */
 void swim_resolve_drawn(struct fish *fish, float speed_goal_m_s);
 
 /* Advances a fish by one tick according to its goals: the fish turns, climbs, accelerates or
@@ -84,7 +85,7 @@ struct shoal {
 
 /* Calls swim_move() for all swimming fish and updates their bodies. `lanes` is 0, 4 or 8. SIMD code
  * processes a block of `lanes` fish if the whole block swims. For a falling fish the function only
- * updates the body, and adds SWIM_FAR_M to `way_m` so that a new query follows. */
+ * updates the body, and adds SWIM_FAR_M to `way_m`, which forces a new search for nearby fish. */
 void swim_move_all(const struct shoal *shoal, uint32_t lanes);
 
 /* Moves every swimming fish to the position of its body, adds the distance to `way_m`, and calls

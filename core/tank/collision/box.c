@@ -10,10 +10,10 @@
 
 /* Intermediate result of the separating-axis test, which tests one axis after the other. `gap_m` is
  * the largest gap between the projections of the two boxes on any axis so far. `space_m` is the
- * same for the boxes enlarged by their margins. */
+ * largest such gap between the boxes enlarged by their margins. */
 struct separation {
     float gap_m, space_m;
-    int axis; /* Index of the axis with the largest `gap_m`, as in box_axis(). */
+    int axis; /* Index of the axis on which `gap_m` was found, as in box_axis(). */
 };
 
 static inline void try_axis(struct separation *separation, float gap_m, float margins_m, int axis)

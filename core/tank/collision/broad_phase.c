@@ -47,11 +47,12 @@ void broad_phase_mark(struct broad_phase *broad_phase, const struct fish *fish, 
         broad_phase->flags[i] = 0;
         broad_phase->play_m[i] = 0.5f * BROAD_PHASE_CONTACT_M;
         if (!fish_swims(&fish[i])) {
-            broad_phase->way_m[i] = SWIM_FAR_M; /* The large distance SWIM_FAR_M forces a new query
-                                                   as soon as the fish swims again. */
+            broad_phase->way_m[i] = SWIM_FAR_M; /* The large distance SWIM_FAR_M forces a new search
+                                                   for nearby fish as soon as the fish swims
+                                                   again. */
         } else {
-            /* A fish is in the air if its body stands out of the water. The cheap sphere test
-             * rejects most bodies first. */
+            /* A fish is in the air if its body stands out of the water. The first part of the
+             * condition, a cheap test of a sphere around the body, already rejects most bodies. */
             const struct body *body = &broad_phase->body[i];
             const float y = body->centre_m.y, emerges_m = fish_emerges_m(&fish[i]);
             const bool is_airborne =

@@ -34,7 +34,8 @@ struct neighbours {
     /* Advice on how to avoid the nearby fish with the soonest contact. */
     struct avoid_advice advice;
     vec3 push_m_s;     /* Sum of the velocities by which nearby fish repel the fish. */
-    float brake, room; /* New values for the members `brake` and `room` of struct fish. */
+    float brake, room; /* New values for the members `brake` and `room` of struct fish, which limit
+                          its speed and its turning rate. */
 };
 
 /* Ticks between full broad-phase queries: 33 ms, which is also the time between two decisions of a
@@ -44,11 +45,12 @@ struct neighbours {
  * contact solver may by default move each body by half of this distance. */
 #define BROAD_PHASE_CONTACT_M 0.002f
 
-/* Two fish whose bodies could touch before the next query. */
+/* Two fish whose bodies could touch before the next broad-phase query, the search for nearby
+ * fish. */
 struct contact {
     fish_index a, b;
-    /* Lower bound of the gap between the two bodies at the time of the query. A value < 0 means an
-     * overlap. */
+    /* Lower bound of the gap between the two bodies at the time of the last query. A value < 0
+     * means an overlap. */
     float gap_m;
 };
 
@@ -64,11 +66,12 @@ struct broad_phase {
      * the list. */
     uint32_t contact_count;
     struct contact contact[BROAD_PHASE_CONTACT_MAX];
-    /* Distance that a body may have moved since the query: the sum, over the ticks, of the largest
-     * distance that any point of the body moved. */
+    /* Distance that a body may have moved since the last search for nearby fish (query): the sum,
+     * over the ticks, of the largest distance that any point of the body moved. */
     float way_m[TANK_FISH_MAX];
-    float reach_m[TANK_FISH_MAX]; /* Distance that a body may move before a new query is due. */
-    uint32_t overlap_count;       /* Number of pairs whose bodies overlapped at the query. */
+    /* Distance that a body may move before a new search for nearby fish (query) is due. */
+    float reach_m[TANK_FISH_MAX];
+    uint32_t overlap_count;       /* Number of pairs whose bodies overlapped at the last query. */
     /* Number of pairs of fish that could touch before the next query, including pairs that are
      * missing in a full contact list. */
     uint32_t touch_count;
@@ -99,7 +102,8 @@ void broad_phase_gather(struct broad_phase *broad_phase, const struct fish *fish
 struct broad_phase_search {
     uint8_t search; /* Algorithm of the pair search (enum pair_search). */
     uint8_t lanes;  /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
-    /* True if the query finds only contacts and leaves `neighbours` unchanged. */
+    /* True if the query only lists contacts (pairs that could touch) and leaves `neighbours`
+     * unchanged. */
     bool contacts_only;
 };
 
@@ -107,12 +111,13 @@ struct broad_phase_search {
  * Adds the distance to `way_m`, the distance that the body moved since the last query. */
 void broad_phase_sync(struct broad_phase *broad_phase, struct fish *fish);
 
-/* Returns the distance that the fish is expected to move before the next query, computed from its
- * present motion, m. */
+/* Returns the distance that the fish is expected to move before the next search for nearby fish
+ * (query), m. The distance follows from the present motion of the fish. */
 float broad_phase_reach_m(const struct fish *fish);
 
-/* Returns true if the last query may no longer cover all pairs that could touch. Causes are a
- * fish that moved beyond its reach, a fish that began to swim, and a full contact list. */
+/* Returns true if a new search for nearby fish (query) is necessary, because pairs that could touch
+ * may be missing in the results of the last query. Causes are a fish that moved beyond its reach, a
+ * fish that began to swim, and a full contact list. */
 bool broad_phase_is_stale(const struct broad_phase *broad_phase);
 
 /* Moves the contacts whose fish could touch in this tick to the front of the list, and stores their
@@ -128,10 +133,11 @@ void broad_phase_select_contacts(struct broad_phase *broad_phase);
  * too many fish moved too far or if the contact list could overflow. */
 bool broad_phase_update_moved(struct broad_phase *broad_phase, const struct fish *fish);
 
-/* Finds every pair whose personal spaces overlap. Sets the avoidance advice and the repulsion of
- * nearby fish, lists the pairs that could touch before the next query, and calls
- * broad_phase_select_contacts(). If `how.contacts_only` is true, the function sets neither advice
- * nor repulsion, at half the cost. `fish` holds the fish to which the bodies belong. */
+/* Searches for nearby fish: finds every pair whose personal spaces overlap. Sets the avoidance
+ * advice and the repulsion of nearby fish, lists the pairs that could touch before the next search,
+ * and calls broad_phase_select_contacts(). If `how.contacts_only` is true, the function sets
+ * neither advice nor repulsion, which takes half the time. `fish` holds the fish to which the
+ * bodies belong. */
 void broad_phase_update(struct broad_phase *broad_phase, const struct fish *fish,
                         struct broad_phase_search how, const struct perception *around);
 

@@ -55,8 +55,8 @@ static void keep_inside(const struct solver_step *all, uint32_t index)
 }
 
 /* Moves a fish to the position of its body after a push of that body. Adds the distance to `way_m`,
- * the distance that the body moved since the last query, so that contact_is_apart() takes the push
- * into account. */
+ * the distance that the body moved since the last broad-phase query, so that contact_is_apart()
+ * takes the push into account. */
 static void note_moved_body(const struct solver_step *all, uint32_t index)
 {
     CORE_ASSERT(all->broad_phase->flags[index] & BODY_SWIMMING);
@@ -129,10 +129,10 @@ static bool part_pair(const struct solver_step *all, struct contact *contact, in
     return true;
 }
 
-/* Moves a fish that touches an obstacle off the obstacle by at most CLEAR_ROUNDS pushes. In the
- * corner between the paper and the ring of a poi (paper scoop), a push off one of them can move the
- * fish into the other. If the fish still touches the obstacle after the pushes, moves the fish
- * along with the obstacle. */
+/* Moves a fish that touches an obstacle off the obstacle by at most CLEAR_ROUNDS pushes. One push
+ * is not always enough: in the corner between the paper and the ring of a poi (paper scoop), a push
+ * off the paper can move the fish into the ring. If the fish still touches the obstacle after the
+ * pushes, moves the fish along with the obstacle. */
 static void clear_obstacle(const struct solver_step *all, uint32_t index, uint32_t o)
 {
     CORE_ASSERT(o < all->place->obstacle_count);

@@ -78,8 +78,8 @@ enum solver_result {
 /* Scratch memory of the contact solver for one tick. The arrays are indexed by fish or by
  * obstacle. */
 struct contact_solver {
-    /* Position of each fish at the start of the tick. SIMD code reads one float beyond the last
-     * element. */
+    /* Position of each fish at the start of the tick. SIMD code reads one float more than the last
+     * position. */
     vec3 began_m[TANK_FISH_MAX + 1u];
     /* Position of each fish at the start of the present substep. The first substep uses `began_m`
      * instead. */
@@ -130,13 +130,13 @@ void contact_solver_substep(struct contact_solver *solver, struct broad_phase *b
 void contact_solver_project(struct contact_solver *solver, struct broad_phase *broad_phase,
                             const struct solver_context *place);
 
-/* Pushes overlapping bodies apart in several rounds. Walls, floor and surface always limit the
- * bodies. */
+/* Pushes overlapping bodies apart in several rounds, and keeps the bodies within walls, floor and
+ * surface. */
 void contact_solver_relax(struct contact_solver *solver, struct broad_phase *broad_phase,
                           const struct solver_context *place);
 
-/* Ends a substep. Pushes overlapping bodies apart as contact_solver_relax() does. Then reverts the
- * bodies that could not be separated to their previous poses. */
+/* Ends a substep. Pushes overlapping bodies apart as contact_solver_relax() does. Bodies that could
+ * not be separated then return to their previous poses. */
 void contact_solver_finish(struct contact_solver *solver, struct broad_phase *broad_phase,
                            const struct solver_context *place);
 

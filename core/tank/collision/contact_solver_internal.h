@@ -17,15 +17,16 @@ struct solver_step {
     const struct solver_context *place;
 };
 
-/* Returns the position of a fish at the start of the substep, to which the fish may revert. */
+/* Returns the position of a fish at the start of the substep. The solver may move the fish back to
+ * this position. */
 static inline vec3 contact_before_m(const struct solver_step *all, uint32_t index)
 {
     const struct contact_solver *solver = all->solver;
     return solver->substep == 0 ? solver->began_m[index] : solver->step_began_m[index];
 }
 
-/* Returns the body of a fish in its pose at the start of the substep, to which the fish may revert.
- * Bodies rotate only in the first substep (number 0). */
+/* Returns the body of a fish in its pose at the start of the substep. The solver may move the fish
+ * back to this pose. Bodies rotate only in the first substep (number 0). */
 static inline struct body contact_body_before(const struct solver_step *all, uint32_t index)
 {
     const struct contact_solver *solver = all->solver;
@@ -41,8 +42,8 @@ static inline struct body contact_body_before(const struct solver_step *all, uin
 }
 
 /* Returns true if the gap between the two bodies of a contact is certainly larger than `apart_m`.
- * Measuring the gap would take long, so the function uses a lower bound: the gap at the last query
- * minus the distances that the two bodies moved since then. */
+ * Measuring the gap would take long, so the function uses a lower bound: the gap at the last
+ * broad-phase query minus the distances that the two bodies moved since then. */
 static inline bool contact_is_apart(const struct solver_step *all, const struct contact *contact,
                                     float apart_m)
 {

@@ -41,8 +41,8 @@ uint32_t contact_solver_substep_count(struct contact_solver *solver,
     return solver->substep_count;
 }
 
-/* Begins a substep: each obstacle moves by its part of the tick's motion. Obstacles rotate only in
- * the first substep (number 0). */
+/* Begins a substep. Each obstacle moves by its part of the tick's motion, but rotates only in the
+ * first substep (number 0). */
 void contact_solver_substep(struct contact_solver *solver, struct broad_phase *broad_phase,
                             const struct solver_context *place, uint32_t substep)
 {

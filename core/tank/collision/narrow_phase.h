@@ -38,7 +38,7 @@ struct spatial_grid {
     float origin_x_m, origin_z_m;
     /* Number of cells along x and z. columns * rows is at most SPATIAL_GRID_CELL_MAX. */
     uint32_t columns, rows;
-    uint32_t count; /* Number of fish in the cells; a fish in a cell is an item. */
+    uint32_t count; /* Number of items; an item is a fish in a cell. */
     /* Index of the first item (fish) of each cell. The items of cell c are item[start[c]] to
      * item[start[c + 1] - 1]. */
     fish_index start[SPATIAL_GRID_CELL_MAX + 1u];
@@ -49,7 +49,7 @@ struct spatial_grid {
 };
 
 /* Divides a floor plan for `fish_count` fish into cells whose side is at least `reach_m`. The cells
- * are larger if the plan would otherwise need more than one cell for every two fish of
+ * are made larger if there would otherwise be more than one cell for every two fish of
  * fish_capacity(). */
 void narrow_grid_layout(struct spatial_grid *grid, float width_m, float breadth_m, float reach_m,
                         uint32_t fish_count);

@@ -67,9 +67,9 @@ vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m)
 /* Distance per tick by which the paper of a poi pushes out a fish that got into the paper from the
  * side, over the ring. */
 #define PAPER_PUSH_M 0.0025f
-/* Speed of a poi's paper, along its normal, at which friction gives a fish in front of the paper
- * half of the paper's sideways speed. A faster paper gives the fish more of its sideways speed,
- * because the flow presses the fish more strongly onto the paper. */
+/* Speed of a poi's paper, along its normal, at which friction moves a fish in front of the paper
+ * sideways at half of the paper's sideways speed. At a higher speed, the flow presses the fish more
+ * strongly onto the paper, so the fraction is larger. */
 #define PIN_M_S 0.12f
 /* Largest push along the normal of a poi's ring, as a multiple of the fish's penetration into the
  * ring. This push makes a fish glide over the ring. */
@@ -120,8 +120,8 @@ static float half_thick_m(const struct body *body, vec3 direction)
 struct side {
     float side;     /* Side of the paper: +1 means above, -1 means below, 0 means that no paper is
                        near. */
-    float height_m; /* Distance of the fish's centre from the paper, positive on the side `side`; <
-                       0 if the fish passed through. */
+    float height_m; /* Distance of the fish's centre from the paper. A value > 0 is on the side
+                       `side`, and a value < 0 means that the fish passed through the paper. */
     float clear_m;  /* Distance of the fish's centre from the paper at which the body just does not
                        touch the paper. */
     float was_m;    /* Distance of the fish's centre from the paper at the start of the substep, as

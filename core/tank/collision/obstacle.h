@@ -107,9 +107,9 @@ struct obstacle obstacle_before(const struct obstacle *obstacle);
 
 /* Returns by how much a fish penetrates a ring, a hull or paper more deeply than allowed, m. A
  * result <= 0 means that the penetration is allowed. The allowed depth is `free_m`, or the depth in
- * the previous tick if that was larger. `before` is the body of the fish in the previous tick;
- * paper keeps a fish on the side on which `before` is. `out` receives the direction in which the
- * fish must move. */
+ * the previous tick if that was larger. `before` is the body of the fish in the previous tick. A
+ * fish must stay on the side of the paper on which `before` is. `out` receives the direction in
+ * which the fish must move. */
 float obstacle_excess_m(const struct obstacle *obstacle, const struct body *now,
                         const struct body *before, float free_m, vec3 *out);
 
@@ -119,9 +119,9 @@ float obstacle_excess_m(const struct obstacle *obstacle, const struct body *now,
  * box would catch on the ring, while a real fish is round and slides over the ring. */
 vec3 obstacle_hard_push(const struct obstacle *obstacle, const struct body *now);
 
-/* Returns the move that the paper requires of the fish in this tick, or zero if the fish does not
- * touch the paper. The fish moves off the paper by a limited distance. If the flow presses the fish
- * onto the paper, the fish also moves along with the paper. */
+/* Returns the translation by which the paper of a poi moves a fish in this tick, or zero if the
+ * fish does not touch the paper. The fish moves off the paper by a limited distance. If the flow
+ * presses the fish onto the paper, the fish also moves along with the paper. */
 vec3 obstacle_paper_push(const struct obstacle *disc, const struct body *now, vec3 before_m);
 
 /* Returns the shortest translation that moves the fish's centre back to the side of the paper on
@@ -132,9 +132,10 @@ vec3 obstacle_paper_hold(const struct obstacle *disc, const struct body *now, ve
  * `before_m` is the position of the point before that motion. */
 vec3 obstacle_carry_m(const struct obstacle *obstacle, vec3 before_m);
 
-/* Undoes a part of the obstacle's motion in this tick, because a fish in its way cannot move. Moves
- * the obstacle by `excess_m` in the direction opposite to `out`, at most by the component of
- * `step_m` along `out`. If that is impossible, undoes the obstacle's rotation or, as the last
- * possibility, the whole motion in this tick. Returns true if the obstacle changed, or false if the
- * obstacle has no motion left in this tick. */
+/* Undoes a part of the obstacle's motion in this tick, because a fish in the way of the obstacle
+ * cannot move. Moves the obstacle by `excess_m` in the direction opposite to `out`, at most by the
+ * component of `step_m` along `out`. If that component is nearly zero, undoes the obstacle's
+ * rotation. Undoes the whole motion in this tick if the obstacle did not rotate, or after eight
+ * calls for the obstacle. Returns true if the obstacle changed, or false if the obstacle has no
+ * motion left in this tick. */
 bool obstacle_apply_reaction(struct obstacle *obstacle, vec3 out, float excess_m);

@@ -3,8 +3,8 @@
 #include "core/base/panic.h"
 #include "core/tank/collision/contact_solver_internal.h"
 
-/* The fish count as a pile if there are more than this number of overlaps per fish on average. A
- * pile occurs only if tank_stage_all() placed many fish at the same place.
+/* Number of overlaps per fish, on average, above which the fish count as a pile. A pile occurs only
+ * if tank_stage_all() placed many fish at the same place.
  *
  * Normally a fish whose contact is missing in a full contact list is reverted to its previous pose.
  * In a pile such a fish is only pushed, because a reverted fish would stay in the pile forever. */
@@ -48,11 +48,11 @@ static bool has_moved_recently(const struct contact_solver *solver, uint32_t ind
     return round == 0 || solver->fresh_round[index] >= round;
 }
 
-/* Moves a fish along with an obstacle from its pose at the start of the substep. Fish that move
- * along with an obstacle cannot come nearer to that obstacle. Returns true if the fish moved.
- * Returns false and leaves the fish unchanged if the fish already moved along or reverted, or if a
- * wall leaves no room. Also returns false if the fish would move farther than the last broad-phase
- * query allows. */
+/* Moves a fish along with an obstacle, beginning at the pose of the fish at the start of the
+ * substep. Fish that move along with an obstacle cannot come nearer to that obstacle. Returns true
+ * if the fish moved. Returns false and leaves the fish unchanged if the fish already moved along or
+ * reverted in this substep, or if a wall leaves no room. Also returns false if the fish would move
+ * farther than the last broad-phase query allows. */
 static bool move_with_obstacle(const struct solver_step *all, uint32_t index, uint32_t o,
                                uint32_t round)
 {
@@ -79,9 +79,10 @@ static bool move_with_obstacle(const struct solver_step *all, uint32_t index, ui
     return true;
 }
 
-/* If an obstacle presses the fish into another fish, moves the fish along with the obstacle.
- * Returning the fish to its previous pose would not help, because the obstacle would press the fish
- * again. Returns true if the fish moved. */
+/* Moves a fish along with the obstacle that presses the fish into another fish. Returning the fish
+ * to its previous pose would not help, because the obstacle would press the fish again. Returns
+ * true if the fish moved, and false if no obstacle presses the fish or if the fish cannot move
+ * along. */
 static bool move_with_pressing_obstacle(const struct solver_step *all, uint32_t index,
                                         uint32_t round)
 {
@@ -217,17 +218,16 @@ static uint32_t check_obstacles(const struct solver_step *all, uint32_t round)
     return changes;
 }
 
-/* Repeats rounds until no fish and no obstacle changes. Each round moves a fish along with an
- * obstacle, reverts a fish, or undoes a part of an obstacle's motion. Each fish moves along at most
- * once and reverts at most once, even after it moved along. The motion of each obstacle is undone a
- * limited number of times. Therefore the loop ends. */
+/* Repeats rounds until no fish and no obstacle changes. In each round, fish move along with an
+ * obstacle or return to their previous pose (revert), and motion of obstacles is undone. The loop
+ * ends, because each fish moves along at most once and reverts at most once, and the motion of each
+ * obstacle is undone a limited number of times. */
 void penetration_check(const struct solver_step *all, bool is_parted)
 {
-    /* Reverts fish whose contacts are unknown because the contact list was full. Each fish with an
-     * unlisted contact keeps its pose from the start of the substep. These poses do not overlap,
-     * and the list covers the other fish. The contacts in the list are random in each tick, so
-     * every fish moves in some ticks. Staged fish with many overlaps are not reverted, only
-     * separated. */
+    /* Reverts each fish with a contact that is missing, because the contact list was full, to its
+     * pose at the start of the substep. These poses do not overlap, and the list contains all
+     * contacts of the other fish. The contacts in a full list are random in each tick, so every
+     * fish moves in some ticks. Fish in a pile are not reverted, only separated. */
     const struct broad_phase *broad_phase = all->broad_phase;
     const bool is_full = broad_phase->touch_count > broad_phase_contact_max(broad_phase);
     uint32_t held = 0;

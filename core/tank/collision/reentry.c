@@ -1,5 +1,5 @@
-/* reentry.c -- reentry of fish into the water. A fish that came back into the water drifts, is
- * pushed by other fish, searches a gap between them, and then swims. */
+/* reentry.c -- handles fish that came back into the water (reentry). Such a fish drifts, is pushed
+ * by other fish, searches for a gap between the other fish, and then swims. */
 #include "core/tank/tank.h"
 
 #include "core/base/panic.h"
@@ -12,8 +12,8 @@
 #define DRAG_PER_S 6.0f
 /* Speed at which a fish sinks after it came back into the water (reentry). */
 #define SINK_M_S 0.03f
-/* Largest distance per tick by which a fish in reentry is pushed. The value equals 0.3 m/s, the
- * speed at which a fish slips between other fish. */
+/* Largest distance per tick by which other fish and obstacles push a fish in reentry. The value
+ * equals 0.3 m/s, the speed at which a fish slips between other fish. */
 #define PUSH_MAX_M 0.0025f
 /* Largest distance per tick by which a fish in reentry that is above the water surface comes down,
  * for example from the paper of a poi (paper scoop). */
@@ -185,10 +185,11 @@ static bool keep_off_paper(struct fish *fish, vec3 before_m, const struct obstac
 
 /* ---- Search for a gap between other fish ----------------------------------------------------- */
 
-/* Finds the nearest place within SEEK_M that is free of fish and obstacles and on the fish's side
- * of every paper. Tries 26 directions at SEEK_SHELLS distances. In a full tank a third of all
- * places is free, so the smallest distances usually contain a free place. Returns true and writes
- * the place to `gap_m`, or returns false if no place is free. */
+/* Finds the nearest place within SEEK_M at which the fish would touch no other fish and no
+ * obstacle. The fish must not have to cross the paper of a poi on the way. Tries 26 directions at
+ * SEEK_SHELLS distances. In a full tank a third of all places is free, so the smallest distances
+ * usually contain a free place. Returns true and writes the place to `gap_m`, or returns false if
+ * no place is free. */
 static bool find_gap(const struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                      uint32_t obstacle_count, vec3 *gap_m)
 {

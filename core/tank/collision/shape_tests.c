@@ -60,8 +60,8 @@ static const float ring_cos[RING_POINTS / 2 + 1] = {
     -0.98078528f,  -0.995184727f, -1.0f,
 };
 
-/* Cosines and sines of the angles by which the search refines a point of the ring. Two neighbouring
- * coarse points are 1 / RING_POINTS of a full turn apart. The angle of entry k is this distance
+/* Cosines and sines of the angles by which the search refines a point of the ring. The angle of
+ * entry k is the angle between two neighbouring coarse points, 1 / RING_POINTS of a full turn,
  * divided by 2^(k + 1). */
 static const struct turn ring_halving[RING_HALVINGS] = {
     { 0.998795456f, 0.0490676743f },   { 0.999698819f, 0.0245412285f },
@@ -243,10 +243,11 @@ static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
     return v3_muladd(v3_muladd(v3_muladd(centre, axis[0], u[0]), axis[1], u[1]), axis[2], u[2]);
 }
 
-/* Computes the distance of the box from the hull by a first-order approximation. Scaled so that the
- * ellipsoid becomes a ball of radius 1, the deepest point of the box is at the distance `k` from
- * the centre. The skin of the ellipsoid is at 1. k - 1, divided by the change of `k` per metre, is
- * the distance from the skin. The result is accurate near the skin. */
+/* Computes the distance of the box from the hull by a first-order approximation. The space is
+ * scaled so that the ellipsoid of the hull becomes a ball of radius 1. `k` is the scaled distance
+ * of the deepest point of the box from the centre of the ball, so k - 1 is its scaled distance from
+ * the skin. k - 1 divided by the change of `k` per metre is the distance in metres. The result is
+ * accurate near the skin. */
 struct touch shape_touch_hull(const struct hull *hull, const struct box *box)
 {
     CORE_ASSERT(hull->radius_m > 0.0f && hull->depth_m > 0.0f);
