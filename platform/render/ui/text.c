@@ -52,9 +52,9 @@ float text_width_em(enum font_id font, const char *words, float spacing_em)
     return count == 0 ? 0.0f : width + spacing_em * (float)(count - 1u);
 }
 
-#define GAPS_MAX 6u /* Maximum number of gaps for names and figures in a line. */
-/* Maximum depth of messages that contain messages, such as "no store: PATH: disk I/O error;
- * ...". */
+#define GAPS_MAX 6u /* Maximum number of gaps {} (places for a name or a number) in one text. */
+/* Maximum depth to which a message inside a message is translated. For example, "no store: PATH:
+ * disk I/O error; ..." contains the message "disk I/O error". */
 #define DEPTH_MAX 3u
 
 struct span {
@@ -75,8 +75,8 @@ static void sink_put(struct sink *sink, const char *at, size_t size)
     size_t room = sink->size - 1u - sink->used;
     if (size > room) {
         size = printable_fit(at, (uint32_t)room);
-        sink->size = sink->used + size + 1u; /* After this assignment the output buffer has no free
-                                                space, so that later bytes are dropped. */
+        /* This assignment makes the buffer full, so that all later text is dropped. */
+        sink->size = sink->used + size + 1u;
     }
     memcpy(sink->out + sink->used, at, size);
     sink->used += size;
@@ -93,7 +93,9 @@ void text_number(char *out, size_t out_size, const char *words, uint32_t number)
     if (gap) {
         char digits[12];
         const size_t count = (size_t)snprintf(digits, sizeof digits, "%u", number);
-        if (count < sink.size - sink.used) { /* A cut number would be a wrong number. */
+        /* The number is written only if all of its digits fit, because a cut number would be
+         * wrong. */
+        if (count < sink.size - sink.used) {
             sink_put(&sink, digits, count);
         }
         sink_put(&sink, gap + 2, strlen(gap + 2));
@@ -105,8 +107,9 @@ static bool starts_with(struct span text, const char *literal, size_t size)
     return text.size >= size && memcmp(text.at, literal, size) == 0;
 }
 
-/* Returns the position of the first occurrence of `literal` in `text`. Returns a position past the
- * end if `text` does not contain `literal`. An empty literal matches at the end of `text`. */
+/* Returns the position of the first occurrence of `literal` in `text`. If `text` does not contain
+ * `literal`, returns a position past the end of `text`. If `literal` is empty, returns the end of
+ * `text`. */
 static size_t find_literal(struct span text, const char *literal, size_t size)
 {
     size_t at = size == 0 ? text.size : 0;
@@ -117,9 +120,9 @@ static size_t find_literal(struct span text, const char *literal, size_t size)
     return at;
 }
 
-/* Returns true if `line` matches `pattern`, and writes the text of each gap {} to `gap`. A gap ends
- * where the literal text that follows the gap in the pattern first occurs. The last literal text
- * must be at the end of the line. */
+/* Returns true if `line` matches `pattern`, and writes the part of `line` that stands for each gap
+ * {} to `gap`. Such a part ends at the first occurrence of the literal text that follows the gap in
+ * the pattern. The last literal text must be at the end of `line`. */
 static bool matches(struct span line, const char *pattern, struct span gap[GAPS_MAX])
 {
     const char *brace = strstr(pattern, "{}");
@@ -158,8 +161,8 @@ static enum text_key pattern_of(struct span line, struct span gap[GAPS_MAX])
 static void write_translated_line(struct sink *sink, uint8_t language, struct span line,
                                   uint32_t depth);
 
-/* Writes the translation of `key` with the gaps filled in. If the text of a gap is itself a
- * message, such as the reason of a failure, this text is translated too. */
+/* Writes the text `key` in `language`, with the gaps filled with the texts in `gap`. If the text in
+ * a gap is itself a message, such as the reason of a failure, this text is translated too. */
 static void write_pattern(struct sink *sink, uint8_t language, enum text_key key,
                           const struct span gap[GAPS_MAX], uint32_t depth)
 {

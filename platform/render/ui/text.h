@@ -1,6 +1,5 @@
-/* text.h -- the user interface's text: translations, glyphs and their widths. Also translates the
- * status lines of devices into the operator's language. Uses no OpenGL.
- *
+/* text.h -- the user interface's text: translations, glyphs (pictures of characters) and their
+ * widths. Also translates the status lines of devices into the operator's language. Uses no OpenGL.
  * The texts are in assets/text and are selected by key and language. A new text in assets/text
  * needs no change in this module. */
 #pragma once
@@ -24,7 +23,8 @@ const char *text_words(uint8_t language, enum text_key key);
  * is cut after a whole character. */
 void text_number(char *out, size_t out_size, const char *words, uint32_t number);
 
-/* Returns the glyph of a character, or null if the font was baked without the character. */
+/* Returns the glyph of a character, or null if the font that the build generates lacks the
+ * character. */
 const struct font_glyph *text_glyph(enum font_id font, uint32_t code);
 
 /* Returns the glyph that is drawn for a character: its own glyph, otherwise the glyph of `?`.

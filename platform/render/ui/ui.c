@@ -36,8 +36,9 @@ static void make_programs(struct gl_status *status, struct ui *ui)
         const char *const parts[] = { head, shader_ui_frag };
         const GLuint fragment = gl_compile(status, "words", GL_FRAGMENT_SHADER, parts, 2);
         ui->programs[i] = gl_link(status, "words", vertex, fragment);
-        glDeleteShader(fragment); /* OpenGL ignores the name 0, and keeps a deleted shader until
-                                     no program uses the shader. */
+        /* OpenGL keeps a deleted shader until no program uses the shader. If the compilation
+         * failed, the name is 0, which OpenGL ignores. */
+        glDeleteShader(fragment);
         if (ui->programs[i] != 0) {
             gl_program_bind(ui->programs[i], "font paper");
             ui->to_clip[i] = glGetUniformLocation(ui->programs[i], "to_clip");

@@ -24,7 +24,7 @@ struct ui {
     struct ui_memory memory;
     /* OpenGL shader programs, indexed by enum ui_kind. */
     uint32_t programs[UI_KIND_COUNT];
-    /* Location in each shader program of the uniform with the factors that convert pixels to clip
+    /* Location, in each shader program, of the uniform with the factors that convert pixels to clip
      * space. */
     int32_t to_clip[UI_KIND_COUNT];
     /* Locations in each shader program of the uniforms for the rotation (`turn`) and the position

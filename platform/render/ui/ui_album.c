@@ -44,13 +44,14 @@ static struct album_grid grid_of(const struct ui_frame *frame, uint32_t count)
 
 /* ---- Picture of one fish -------------------------------------------------------------------- */
 
-/* Draws the fish in its aquarium. The fish is at its animated age. */
+/* Draws the fish in its aquarium, at the age that the animation of its life has reached
+ * (fish->progress). */
 static void draw_album_fish(const struct ui_frame *frame, const struct scene_grown *fish, float t,
                             struct ui_box water)
 {
-    /* The adult pattern appears between the last two keys (modelled growth stages), whose coats are
-     * red. For a fish that was caught at a younger age, the pattern is complete on the day of the
-     * catch. */
+    /* `whole` is the progress through life at which the fish's adult pattern is complete. Normally
+     * this is the second to last key (modelled growth stage). For a fish that was caught at a
+     * younger age, it is the day of the catch. */
     const struct species_card *const card = &species_wakin.card;
     const float key = 1.0f / ((float)card->key_count - 1.0f);
     const float whole = fminf(1.0f - key, life_progress(card, fish->caught_age_days));
@@ -85,8 +86,8 @@ static void draw_album_picture(const struct ui_frame *frame, uint32_t index, str
     ui_water(frame, water, 6.0f * u, frame->time_s + (float)index, 0x06243cffu);
     draw_album_fish(frame, fish, frame->time_s + 0.7f * (float)index, water);
     if (fish->is_caught) {
-        /* The seal of the catch appears when the animated age reaches the fish's age on the day of
-         * the catch. */
+        /* The ribbon with the age and length at the catch appears when the animation of the fish's
+         * life reaches the day of the catch. */
         const float size = SEAL_SIZE * u;
         lab_age_words(frame->language, fish->caught_age_days, age, sizeof age);
         lab_length_words(fish->caught_length_m, length, sizeof length);
@@ -103,7 +104,8 @@ static void draw_album_picture(const struct ui_frame *frame, uint32_t index, str
     snprintf(words, sizeof words, "%s   %s", age, length);
     ui_text(frame->batch, ui_style(frame, FONT_STALL, 27.0f, 0.5f, LAB_INK, box.width - 28.0f * u),
             box.x + 0.5f * box.width, box.y + box.height - 40.0f * u, words);
-    /* The fish's lifeline is a time axis with a mark on the day of the catch. */
+    /* Draws the fish's lifeline, an axis of its progress through life, with a mark at the day of
+     * the catch. */
     const struct ui_box line = { box.x + 22.0f * u, box.y + box.height - 28.0f * u,
                                  box.width - 44.0f * u, 14.0f * u };
     const float met = life_progress(&species_wakin.card, fish->caught_age_days);

@@ -24,8 +24,8 @@ void ui_attract(const struct ui_frame *frame)
         ui_noren(frame, risen);
     }
     if (board > 0.0f) {
-        /* The curtain is raised to leave room for the leaderboard, and the credits move to the
-         * side. */
+        /* The shop curtain is raised to leave room for the leaderboard, and the credits are drawn
+         * at the side. */
         ui_leaderboard(frame, 16.0f * u, frame->height - 160.0f * u);
         ui_credits(frame, 128.0f * u, 62.0f * u);
     } else {
@@ -33,7 +33,8 @@ void ui_attract(const struct ui_frame *frame)
         ui_credits(frame, 0.5f * frame->width, frame->height - 230.0f * u);
     }
     ui_start_ribbon(frame, frame->height - 108.0f * u, TEXT_START);
-    /* The line about the mouse is omitted if no poi (paper scoop) is present. */
+    /* The line that explains the use of the mouse is drawn only if a poi (paper scoop) is
+     * present. */
     const struct ui_text text =
         ui_outlined(ui_style(frame, FONT_BODY, 17.0f, 0.5f, 0xe9dcc6ffu, frame->width - 32.0f * u),
                     0.05f, 0.12f, 0x0a0814d0u);
@@ -70,7 +71,7 @@ void ui_ready(const struct ui_frame *frame)
         ui_big_word(frame, FONT_STALL, y, 190.0f * u * pop,
                     in * (1.0f - f_smoothstep(0.82f, 1.0f, gone)), digit);
     }
-    /* A tag shows the mode and the paper grade of the next round. */
+    /* A wooden tag shows the game mode and the paper grade of the round that begins. */
     char paper[TEXT_LINE_MAX], words[2u * TEXT_LINE_MAX];
     text_number(paper, sizeof paper, ui_words(frame, TEXT_PAPER), scene->grade);
     snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode), paper);

@@ -7,8 +7,8 @@
 #include "assets.h"
 #include "core/base/panic.h"
 
-/* Width in atlas pixels of the margin around each letter in the font atlas. An outline cannot be
- * wider, because the distance field is constant beyond this distance. */
+/* Width in atlas pixels of the margin around each letter in the font atlas. This is also the
+ * maximum width of an outline, because the distance field is constant outside the margin. */
 #define REACH_PX ((float)ASSET_FONT_EDGE / (float)ASSET_FONT_STEP)
 
 void ui_batch_clear(struct ui_batch *batch)
@@ -124,9 +124,9 @@ static void add_glyph(struct ui_batch *batch, struct ui_text style, float size_p
     const float weight = style.weight_em * em, outline = style.outline_em * em;
     const float room = REACH_PX - weight - outline;
     const float soft = f_clamp(style.soft_em * em, 0.0f, f_max(room, 0.0f));
-    /* `trim` is the width, in atlas pixels, of the unpainted part of the letter's margin. The quad
-     * omits this part. `trim` is at least half a texel, because otherwise texture filtering would
-     * mix in the neighbouring letter. */
+    /* `trim` is the width, in atlas pixels, of the part of the letter's margin that stays unpainted
+     * and that the quad therefore omits. `trim` is at least half a texel, because otherwise texture
+     * filtering would read texels of the neighbouring letter. */
     const float painted = weight + outline + soft + 0.5f / texel_px + 0.5f;
     const float trim = f_max(REACH_PX - painted, 0.5f);
     const float width = (float)glyph->width - 2.0f * trim;

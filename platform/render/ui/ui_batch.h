@@ -1,5 +1,5 @@
-/* ui_batch.h -- the batch: a list of quads with a fixed maximum size. A quad that is added later is
- * drawn over earlier quads.
+/* ui_batch.h -- the batch: a list of quads (rectangles), with a fixed maximum length, from which
+ * one frame of the user interface is drawn. A quad that is added later is drawn over earlier quads.
  *
  * Coordinates are pixels with the origin at the top left and +y downward. Colours are 0xRRGGBBAA
  * with straight alpha. The batch uses no OpenGL, so that layouts can be tested without a screen. */
@@ -41,14 +41,15 @@ enum ui_kind {
     UI_HEAT = 10,
     /* An aquarium at night. `shape`: half width, half height, corner radius, time in seconds. */
     UI_WATER = 11,
-    /* A ghost poi with the hand that holds it, in a box of UI_GHOST_WIDTH x UI_GHOST_HEIGHT ring
-     * radii. `shape`: radius of the ring, height of the flattened ring as a share of its width, 1
-     * under water or 0 above it. */
+    /* A ghost poi (a translucent paper scoop that demonstrates a motion) with the hand that holds
+     * it, in a box of UI_GHOST_WIDTH x UI_GHOST_HEIGHT ring radii. `shape`: radius of the ring,
+     * height of the drawn ring divided by its width, 1 under water or 0 above. */
     UI_GHOST = 12,
     UI_KIND_COUNT,
 };
 
-/* Size of a ghost in ring radii, and the position of the ring's centre from the box's corner. */
+/* Size of the box of a UI_GHOST, and position of the ring's centre from the box's upper left
+ * corner. The unit is the radius of the ring. */
 #define UI_GHOST_WIDTH 3.5f
 #define UI_GHOST_HEIGHT 5.8f
 #define UI_GHOST_RING_X 1.2f
@@ -90,12 +91,12 @@ struct ui_box {
 struct ui_shape {
     struct ui_box box;
     enum ui_kind kind;
-    /* Values whose meaning enum ui_kind defines for each kind. ui_shape() computes half widths and
-     * half heights from `box`. */
+    /* Parameters of the shape. The comments of enum ui_kind list them for each kind. ui_shape()
+     * fills in half widths and half heights from `box`. */
     float shape[4];
     uint32_t fill, line;
-    /* Distance in pixels by which the lower edge is shifted to the right, for cloth that moves in
-     * the wind. */
+    /* Distance in pixels by which the shape's lower edge is shifted to the right, for cloth that
+     * moves in the wind. */
     float lean_px;
 };
 
@@ -124,7 +125,8 @@ struct ui_text {
     float spacing_em;
     /* Distance in ems by which the strokes of letters are thickened on each side. */
     float weight_em;
-    /* Width of the outline around the strokes, in colour `line`. 0 means no outline. */
+    /* Width in ems of the outline around the strokes. The outline has the colour `line`. 0 means no
+     * outline. */
     float outline_em;
     /* Additional width in ems over which the outline fades out, for a shadow or a glow. */
     float soft_em;

@@ -1,16 +1,16 @@
-/* ui_catch.c -- draws the drama of a catch: fish that fly from the bowl to the counter, and the
- * word for a near miss. */
+/* ui_catch.c -- draws the animations of a catch: fish that fly from the bowl to the counter (the
+ * displayed number of caught fish), and the word over a poi that narrowly missed a fish. */
 #include <math.h>
 
 #include "core/base/panic.h"
 #include "platform/render/ui/ui_widgets.h"
 
-/* Time in ticks of the flight from the bowl to the counter, and between two fish that were poured
- * into the bowl together. */
+/* Duration in ticks of a fish's flight from the bowl to the counter, and delay in ticks between the
+ * flights of two fish that were poured into the bowl together. */
 #define FLIGHT_TICKS (CORE_TICK_HZ / 2u)
 #define FLIGHT_APART_TICKS (CORE_TICK_HZ / 8u)
 #define FLIGHT_RISE 130.0f /* Height of the flight's arc in layout units. */
-/* Widths in layout units of a fish that leaves the bowl and of one that arrives. */
+/* Widths in layout units of a fish at the start of its flight and at its end. */
 #define FLIGHT_WIDTH 104.0f
 #define FLIGHT_WIDTH_END 70.0f
 /* Time in seconds for which the number of caught fish is enlarged after a fish has arrived. */
@@ -22,8 +22,8 @@
 #define MISS_RISE 34.0f
 #define MISS_OVER 64.0f /* Distance in layout units from the poi up to the word. */
 
-/* Returns the ticks since fish number `number` of a player left the bowl. A negative result means
- * that the fish leaves later. */
+/* Returns the number of ticks since the flight of a player's fish number `number` began. A negative
+ * result means that the flight begins later. */
 static int32_t flight_age(const struct ui_memory *memory, uint32_t tick, uint32_t player,
                           uint32_t number)
 {
@@ -31,8 +31,7 @@ static int32_t flight_age(const struct ui_memory *memory, uint32_t tick, uint32_
     return (int32_t)(tick - memory->flight_tick[player][number % UI_FLIGHT_MAX]);
 }
 
-/* Returns how many of `caught` fish have a recorded flight. These are the fish that were caught
- * last. */
+/* Returns for how many of `caught` fish, beginning with the newest, `flight_tick` has an entry. */
 static uint32_t flight_count(uint32_t caught)
 {
     return caught < UI_FLIGHT_MAX ? caught : UI_FLIGHT_MAX;
@@ -50,7 +49,8 @@ void ui_catch_notice(struct ui_memory *memory, const struct scene *scene)
                 memory->flight_tick[i][(caught - k + 1u) % UI_FLIGHT_MAX] =
                     scene->tick + waits * FLIGHT_APART_TICKS;
             }
-        } else if (caught != before || !continues) { /* All fish have arrived. */
+        } else if (caught != before || !continues) {
+            /* Outside a continuing round, all caught fish count as arrived, and no fish flies. */
             for (uint32_t k = 0; k < UI_FLIGHT_MAX; k++) {
                 memory->flight_tick[i][k] = scene->tick - FLIGHT_TICKS;
             }

@@ -36,7 +36,9 @@ static void duration_words(const struct ui_frame *frame, uint32_t round_s, char 
                 is_even ? round_s / 60u : round_s);
 }
 
-/* Distances of the words of a tag from its lower edge, and sizes of the words, in layout units. */
+/* Distances (.._y) of the texts on a tag from the tag's lower edge, and sizes of the texts, in
+ * layout units. `name_size` is the size in Japanese, and `name_size_stall` the size in other
+ * languages. */
 struct tag_layout {
     float name_y, name_size, name_size_stall, line_y[2], line_size;
 };
@@ -89,7 +91,8 @@ static void mode_tag(const struct ui_frame *frame, uint8_t mode, struct ui_box b
     tag_words(frame, &small, box, ui_mode_name(frame->language, mode), lines);
 }
 
-/* Draws a column with the marks of the players at `level`, if there are several players. */
+/* Draws the numbers of the players who have selected `level`, one below the other. Draws nothing if
+ * there is only one player. */
 static void player_marks(const struct ui_frame *frame, uint8_t level, struct ui_box box)
 {
     const struct scene *const scene = frame->scene;
@@ -129,7 +132,8 @@ static void draw_choose_foot(const struct ui_frame *frame)
                                                                    : TEXT_CHOOSE_KEYS));
 }
 
-/* Draws the tags. `in` in [0, 1] is the share of their descent when the screen appears. */
+/* Draws the tags. The tags descend when the screen appears, and `in` in [0, 1] is the completed
+ * fraction of this motion. */
 static void draw_tags(const struct ui_frame *frame, float in)
 {
     const struct scene *const scene = frame->scene;

@@ -6,15 +6,16 @@
 #include "platform/render/ui/ui_widgets.h"
 
 #define FADE_IN_S 0.3f
-#define LOOP_S 1.6f /* Time in seconds in which the motion of a picture repeats. */
-/* Sizes in layout units. */
+#define LOOP_S 1.6f /* Period in seconds of the motion in a hint's picture. */
+/* Sizes, in layout units, of a hint's picture, of the whole hint and of its words. */
 #define PICTURE_WIDTH 104.0f
 #define HEIGHT 76.0f
 #define WORDS_SIZE 27.0f
 #define MARGIN 14.0f
-#define GAP 20.0f /* Distance between the ring and the hint. */
-/* Height of the plates at the top of the screen for a single player, and the greatest height for
- * several players, whose plates are below the clock in a narrow window. */
+#define GAP 20.0f /* Distance in layout units between the poi's ring and the hint. */
+/* Height in layout units that the plates occupy at the top of the screen for a single player, and
+ * the greatest such height for several players. The plates of several players are below the clock
+ * if the window is narrow. */
 #define PLATES_HEIGHT 110.0f
 #define PLATES_HEIGHT_MANY 190.0f
 
@@ -29,8 +30,8 @@ static void line(const struct ui_frame *frame, float x, float y, const float fro
                (const float[2]){ x + to[0] * u, y + to[1] * u }, width * u, colour);
 }
 
-/* Draws paper seen from the side, centred at (`paper_x`, `paper_y`) in layout units from (x, y).
- * `slant` is the rise of its right end. */
+/* Draws the poi's paper as seen from the side, centred at (`paper_x`, `paper_y`) in layout units
+ * from (x, y). The right end of the paper is `slant` layout units above its centre. */
 static void side_paper(const struct ui_frame *frame, float x, float y, float paper_x, float paper_y,
                        float slant)
 {
@@ -44,7 +45,8 @@ static void water_line(const struct ui_frame *frame, float x, float y)
          WATER_LINE);
 }
 
-/* Draws a fish, dips beside it, glides under it and lifts it, seen from the side. */
+/* Draws, as seen from the side, a fish and a paper that dips beside the fish, glides under the fish
+ * and lifts it. */
 static void glide_picture(const struct ui_frame *frame, float x, float y, float part)
 {
     const float u = frame->unit;
@@ -57,7 +59,8 @@ static void glide_picture(const struct ui_frame *frame, float x, float y, float 
     side_paper(frame, x, y, across, down, part < 0.3f ? -8.0f : 0.0f);
 }
 
-/* Draws paper that dips into the water, or that lifts a fish out of it, seen from the side. */
+/* Draws, as seen from the side, a paper that dips into the water or that lifts a fish out of the
+ * water. */
 static void stroke_picture(const struct ui_frame *frame, float x, float y, uint8_t hint, float part)
 {
     const float u = frame->unit, swing = ui_pulse(part, 1.0f);
@@ -78,8 +81,8 @@ static void stroke_picture(const struct ui_frame *frame, float x, float y, uint8
     }
 }
 
-/* Draws the picture of a hint, centred at (x, y). `part` in [0, 1] is the progress of its
- * motion. */
+/* Draws the picture of a hint, centred at (x, y). `part` in [0, 1] is the progress of the motion in
+ * the picture. */
 static void picture(const struct ui_frame *frame, float x, float y, uint8_t hint, uint32_t player,
                     float part)
 {
@@ -132,7 +135,8 @@ void ui_poi_hint(const struct ui_frame *frame, uint32_t player)
     const float room = is_alone ? ui_text_width(style, words) + MARGIN * u : 0.0f;
     const float width = (PICTURE_WIDTH + MARGIN) * u + room, height = HEIGHT * u;
     const float reach = poi->ring_radius_m * at.px_per_m + GAP * u;
-    /* The hint is above the ring, or below it if the plates at the top are there. */
+    /* The hint is above the poi's ring, or below the ring if the hint would otherwise cover the
+     * plates at the top of the screen. */
     const bool is_above =
         at.y - reach - height > (is_alone ? PLATES_HEIGHT : PLATES_HEIGHT_MANY) * u;
     const float top = is_above ? at.y - reach - height : at.y + reach;

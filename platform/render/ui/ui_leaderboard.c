@@ -50,7 +50,7 @@ float ui_leaderboard_in(const struct scene_leaderboard *board)
                         : 0.0f;
 }
 
-/* Draws a vermilion seal, which means that the round can be replayed to verify its score. */
+/* Draws the vermilion seal of a score whose round can be replayed to verify the score. */
 void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
 {
     const struct ui_text word = { .font = FONT_STALL,

@@ -7,8 +7,9 @@
 #include "platform/render/ui/ui_widgets.h"
 
 #define FADE_IN_S 0.35f    /* Time in seconds in which the ring around a fish appears. */
-#define RING_PERIOD_S 1.6f /* Time in seconds from one widening of the ring to the next. */
-/* Radius of the ring: a share of the fish's length, but at least RING_RADIUS_M. */
+#define RING_PERIOD_S 1.6f /* Period in seconds with which the ring around a fish widens. */
+/* Radius of the ring around a fish, as a fraction of the fish's length. The radius is at least
+ * RING_RADIUS_M. */
 #define RING_LENGTHS 0.65f
 #define RING_RADIUS_M 0.020f
 #define ARROW_PERIOD_S 0.9f /* Time in seconds in which a chevron moves by one step. */
@@ -57,7 +58,8 @@ static void draw_chevron(const struct ui_frame *frame, float x, float y, float a
     }
 }
 
-/* Draws chevrons that run from the poi to the bowl of `player`. */
+/* Draws an arrow of chevrons (V-shaped marks) that move from the poi of `player` to the bowl of
+ * `player`. */
 static void draw_arrow(const struct ui_frame *frame, uint32_t player)
 {
     const struct scene_poi *const poi = &frame->scene->poi[player];
@@ -83,7 +85,8 @@ static void draw_arrow(const struct ui_frame *frame, uint32_t player)
             ui_fade(0xffe08affu, 0.4f + 0.5f * ui_pulse(frame->time_s, ARROW_PERIOD_S)), 0);
 }
 
-/* Draws the ghost poi of `player` with its hand. The ring is as flat as its slant makes it seem. */
+/* Draws the ghost poi that demonstrates a motion to `player`, and its hand. The ring is drawn as a
+ * flat ellipse, whose height depends on the slant of the ghost. */
 static void draw_ghost(const struct ui_frame *frame, uint32_t player)
 {
     const struct scene_ghost *const ghost = &frame->scene->lesson[player].ghost;

@@ -1,5 +1,5 @@
 /* ui_level.c -- draws the pictures of the levels: a child, an adult and a champion with a headband,
- * each with a poi (paper scoop). A picture is understood without words. */
+ * each with a poi (paper scoop). The pictures let players choose a level without reading. */
 #include "core/base/panic.h"
 #include "platform/render/ui/ui_widgets.h"
 
@@ -21,7 +21,8 @@
 struct stroke {
     float from_x, from_y, to_x, to_y, width;
     uint32_t colour;
-    uint8_t is_pair; /* 1 if the stroke is also drawn on the other side of the figure. */
+    /* 1 if the stroke is also drawn mirrored on the other side of the figure, otherwise 0. */
+    uint8_t is_pair;
 };
 
 #define POI_SIZE 0.085f /* Radius of the poi as a share of an adult's height. */
@@ -29,8 +30,8 @@ struct stroke {
 
 struct figure {
     float poi_x, poi_y;
-    struct stroke strokes[FIGURE_STROKES_MAX]; /* Drawn in this order; unused strokes have the
-                                                  width 0. */
+    /* Strokes of the figure in the order of drawing. Unused strokes have the width 0. */
+    struct stroke strokes[FIGURE_STROKES_MAX];
 };
 
 /* clang-format off */

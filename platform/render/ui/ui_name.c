@@ -11,7 +11,8 @@ _Static_assert(SCENE_NAME_LETTERS == NAME_LETTERS_MAX, "every letter can be show
 #define KEY_PAPER_LIT 0xffd978ffu
 #define WARN_PAPER 0xb8301ee8u
 #define LETTER_INK 0x2a160cffu
-/* Remaining seconds from which the countdown is shown. A longer countdown makes players nervous. */
+/* Remaining seconds below which the countdown is shown. A longer countdown would make players
+ * nervous. */
 #define COUNTDOWN_S 15.0f
 
 /* Returns the colour of the player who enters a name. */
@@ -68,7 +69,8 @@ static void one_letter(const struct ui_frame *frame, struct ui_box box, uint16_t
     ui_words_in(frame, box, ui_style(frame, FONT_STALL, size, 0.0f, ink, 0.0f), words);
 }
 
-/* Draws eight places for letters. The place of the next letter has the player's colour. */
+/* Draws the eight places for the letters of the name. The place for the next letter has the
+ * player's colour. */
 static void draw_letter_places(const struct ui_frame *frame)
 {
     const struct scene_name *const name = &frame->scene->name;

@@ -4,7 +4,8 @@
 #include "core/base/panic.h"
 #include "platform/render/ui/ui_widgets.h"
 
-/* Distance of the number on a handle from the ring's centre, in inner radii of the ring. */
+/* Distance from the centre of a poi's ring to the player's number on the handle. The unit is the
+ * inner radius of the ring. */
 #define HANDLE_AT 2.3f
 #define PLATE_WIDTH 200.0f
 #define PLATE_WIDTH_MIN 152.0f
@@ -81,8 +82,8 @@ static void plate(const struct ui_frame *frame, uint32_t player, struct ui_box b
                           0xfff8eaffu, box.width - (shows_level ? 147.0f : 112.0f) * u),
                  box.x + 58.0f * u, y, ui_catch_shown(frame, player));
     /* The right part of the plate shows either the player's paper or the reason why the player does
-     * not play. `out` is set for a player who is out of the round, and also for a player whose
-     * waiting time has expired. */
+     * not play. `out` is set for a player who is out of the round, also if the reason is that the
+     * wait for the player's lost controller has ended. */
     const struct scene_player *const state = &frame->scene->player[player];
     const float state_x = box.x + box.width - 30.0f * u, state_y = 0.5f * (y + box.y) + 16.0f * u;
     if (state->out) {
@@ -117,7 +118,7 @@ float ui_player_plates(const struct ui_frame *frame, float right_px)
     const float beside = frame->width - 2.0f * edge - right_px - gap;
     const bool fits = count * (PLATE_WIDTH_MIN * frame->unit + gap) <= beside;
     const float room = (fits ? beside : frame->width - 2.0f * edge) / count - gap;
-    /* If the row has room, the plates are enlarged, at most to the size of a single player's
+    /* If the row has free space, the plates are enlarged, at most to the size of a single player's
      * plate. */
     struct ui_frame larger = *frame;
     larger.unit *= fminf(fmaxf(room / (PLATE_WIDTH * frame->unit), 1.0f), fits ? 1.2f : 1.0f);

@@ -30,12 +30,13 @@ struct ui_frame {
     float width, height;       /* Width and height of the screen in pixels. */
     /* Position in pixels of the upper left corner of the layout area on the screen. */
     float x, y;
-    /* Size of the layout unit in pixels. Without ui_canvas(), the size is 1 px on a 1280x720
-     * screen. */
+    /* Size of the layout unit in pixels. In a context that is not from ui_canvas(), the size is 1
+     * px on a 1280x720 screen. */
     float unit;
     float time_s;     /* Time in seconds for the animation of swaying and pulsing objects. */
     uint8_t language; /* Language of all texts (enum language). */
-    bool is_upright;  /* True if the layout area is the core's canvas for portrait screens. */
+    /* True if the layout area is the core's canvas (ui_canvas()) for portrait screens. */
+    bool is_upright;
 };
 
 /* Returns a drawing context whose layout area is the core's canvas (core/game/pointer_mapping.h),
@@ -52,8 +53,8 @@ static inline struct layout_box canvas_box(float x, float y, float width, float 
 /* Converts a box on the canvas to a box on the screen. */
 struct ui_box ui_place(const struct ui_frame *frame, struct layout_box box);
 
-/* Converts one of two boxes on the canvas to a box on the screen: `upright` on the canvas for
- * portrait screens, otherwise `wide`. */
+/* Converts one of two boxes on the canvas to a box on the screen: `upright` if the canvas is the
+ * one for portrait screens, otherwise `wide`. */
 struct ui_box ui_place_either(const struct ui_frame *frame, struct layout_box wide,
                               struct layout_box upright);
 
@@ -68,12 +69,13 @@ uint32_t ui_fade(uint32_t colour, float alpha);
 /* Returns a smooth pulse from 0 to 1 and back to 0 with period `period_s`. */
 float ui_pulse(float time_s, float period_s);
 
-/* Point on the screen in pixels, with the length of a metre there that lies across the view. */
+/* Position (x, y) in pixels on the screen of a point in the tank, and length in pixels of one metre
+ * at this point at a right angle to the line of sight. */
 struct ui_point {
     float x, y, px_per_m;
 };
-/* Returns where the point `at_m` of the tank is on the screen. The point may be outside the
- * screen. */
+/* Returns the position on the screen of the point `at_m` of the tank. The position may be outside
+ * the screen. */
 struct ui_point ui_project(const struct ui_frame *frame, vec3 at_m);
 
 /* Returns the text with the key `key` in the language of the screen. */
@@ -96,8 +98,8 @@ struct ui_text ui_outlined(struct ui_text style, float outline_em, float soft_em
 
 /* Draws a box with rounded corners. `kind` is UI_PANEL, UI_WASHI, UI_WAVES, UI_WOOD or UI_HEAT. A
  * border of 0 px means no border. `fill` is the colour of the surface, and `line` is the colour of
- * the border. The functions below call ui_panel() for UI_GLOW and UI_WATER too, whose parameters
- * are in the comment of each kind (ui_batch.h). */
+ * the border. Other functions of this module also call ui_panel() with UI_GLOW and UI_WATER. The
+ * comments of enum ui_kind (ui_batch.h) describe the parameters of these kinds. */
 void ui_panel(const struct ui_frame *frame, enum ui_kind kind, struct ui_box box, float radius_px,
               float border_px, uint32_t fill, uint32_t line);
 /* Draws a rectangle of one colour without a border. */
@@ -119,7 +121,7 @@ void ui_glow(const struct ui_frame *frame, struct ui_box box, uint32_t fill);
 void ui_water(const struct ui_frame *frame, struct ui_box box, float radius_px, float time_s,
               uint32_t deep);
 
-/* Draws an arrow from (x, y) whose tip has the distance (`to_x`, `to_y`) from there. */
+/* Draws an arrow from (x, y) to (x + `to_x`, y + `to_y`). */
 void ui_arrow(const struct ui_frame *frame, float x, float y, float to_x, float to_y,
               uint32_t colour);
 

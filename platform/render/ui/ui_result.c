@@ -7,7 +7,8 @@
 #include "platform/render/ui/ui_widgets.h"
 
 #define GRADES 6u
-/* Time in seconds in which the displayed number of fish rises from 0 to the catch. */
+/* Time in seconds in which the displayed number of fish rises from 0 to the number of caught
+ * fish. */
 #define COUNT_UP_S 1.0f
 #define CALL_TIME_S 1.3f
 
@@ -46,12 +47,13 @@ static uint32_t counted_up(const struct scene *scene, uint32_t player)
     return share < 1.0f ? (uint32_t)((double)share * (double)caught) : caught;
 }
 
-/* Times in seconds at which the present starts to swim, and at which it is in the bowl. */
+/* Times in seconds, after the result appears, at which the present (a fish that is given to the
+ * player) starts to swim and at which it reaches the bowl. */
 #define PRESENT_FROM_S 1.2f
 #define PRESENT_TO_S 3.2f
 
-/* Draws a bowl that is centred at (x, y) and `width` pixels wide, and a present that swims from
- * `from_x` pixels in an arc into the bowl. */
+/* Draws a bowl that is centred at (x, y) and `width` pixels wide, and a fish as a present, which
+ * swims in an arc from the x coordinate `from_x` into the bowl. */
 static void present_bowl(const struct ui_frame *frame, float x, float y, float width, float from_x)
 {
     const float share = f_smoothstep(PRESENT_FROM_S, PRESENT_TO_S, frame->scene->phase_s);
@@ -202,7 +204,7 @@ static void place_seal(const struct ui_frame *frame, struct ui_box box)
     frame->batch->opacity = 1.0f;
 }
 
-/* Draws the content of the result card for a round that counts. */
+/* Draws the content of the result card for a round that was not refunded. */
 static void draw_result_card(const struct ui_frame *frame, struct ui_box box)
 {
     const struct scene *const scene = frame->scene;
@@ -227,8 +229,12 @@ static void draw_result_card(const struct ui_frame *frame, struct ui_box box)
 
 #define CARD_WIDTH 680.0f
 #define CARD_HEIGHT 416.0f
-#define TEAR_WIDTH 274.0f  /* Width of the card of a tear beside the card of the result. */
-#define TEAR_HEIGHT 190.0f /* Height of the card of a tear below the card of the result. */
+/* Width, in layout units, of the card that shows why the paper tore, if it is beside the result
+ * card. */
+#define TEAR_WIDTH 274.0f
+/* Height, in layout units, of the card that shows why the paper tore, if it is below the result
+ * card. */
+#define TEAR_HEIGHT 190.0f
 #define CARD_GAP 14.0f
 
 /* Returns the box of the result's card. If `has_tear` is true, writes the box of the card that

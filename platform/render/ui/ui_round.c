@@ -7,7 +7,8 @@
 #include "core/base/panic.h"
 #include "platform/render/ui/ui_widgets.h"
 
-/* Time in seconds for which an announcement is shown, which is longer than reading it takes. */
+/* Time in seconds for which an announcement is shown. The time is longer than players need to read
+ * the announcement. */
 #define CALL_S 1.9f
 #define FOUL_S 2.6f
 #define COUNTDOWN_S 5.0f
@@ -73,8 +74,8 @@ static float foul_flag(const struct ui_frame *frame, uint32_t player, float y)
     return height + 8.0f * u;
 }
 
-/* Draws a band across the tank with the word with which a sumo referee pauses a bout, and with the
- * numbers of the players whose controller input is lost. */
+/* Draws a band across the tank. The band has the word with which a sumo referee pauses a bout, and
+ * the numbers of the players whose controller input is lost. */
 static void draw_pause(const struct ui_frame *frame)
 {
     const struct scene *const scene = frame->scene;
@@ -122,8 +123,8 @@ void ui_umpire(const struct ui_frame *frame)
                        84.0f * frame->unit * grow, announcement_opacity(scene->call_s, CALL_S),
                        (enum text_key)keys[scene->call]);
     }
-    /* During the countdown the first flag is below the digits, and further flags are above the
-     * first flag. The result has room for one flag, below its card. */
+    /* During the countdown, the first foul flag is below the digits, and further flags are above
+     * the first flag. The result screen has room for one foul flag, below the result card. */
     const bool counts_down = scene->phase == PHASE_READY, is_result = scene->phase == PHASE_RESULT;
     float y = (is_result ? 0.76f : counts_down ? 0.72f : 0.47f) * frame->height;
     bool is_full = false;
@@ -196,9 +197,9 @@ static void clock_at(const struct ui_frame *frame, float x, float y)
     ui_words_at(frame, x, y, digits.fit_px, 0.5f, digits, words);
 }
 
-/* Draws the paper's grade or label and the remaining time at the top right. If `is_alone` is true,
- * also draws the state of the paper of `player`, the only player. Returns the plate's width in
- * pixels. */
+/* Draws a plate at the top right with the paper's grade or label and the remaining time. If
+ * `is_alone` is true, `player` is the only player, and the plate also shows the state of the
+ * player's paper. Returns the plate's width in pixels. */
 static float state_plate(const struct ui_frame *frame, uint32_t player, bool is_alone)
 {
     CORE_ASSERT(player < POI_MAX);
@@ -262,7 +263,8 @@ void ui_round(const struct ui_frame *frame)
         const uint32_t player = ui_first_player(scene);
         caught_plate(frame, player);
         if (rules_of(scene->mode)->counts_fouls) {
-            /* A plate has the word "Fouls" and three lamps. One lamp is lit for each foul. */
+            /* Draws a plate with the word "Fouls" and three lamps. One lamp is lit for each
+             * foul. */
             const float u = frame->unit, x = 34.0f * u, y = 135.0f * u;
             const struct ui_text label = ui_style(frame, FONT_STALL, 26.0f, 0.0f, UI_GOLD, 0.0f);
             const char *words = ui_words(frame, TEXT_FOUL);

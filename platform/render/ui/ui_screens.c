@@ -1,5 +1,6 @@
-/* ui_screens.c -- selects the screen of each phase of the game, records what the screen shows, and
- * draws the ribbon over a score playback. A score playback is the replayed recording of a round. */
+/* ui_screens.c -- selects the screen of each phase of the game, records the shown values for
+ * animations, and draws the ribbon over a score playback. A score playback is the replayed
+ * recording of a round. */
 #include "platform/render/ui/ui_screens.h"
 
 #include <math.h>
@@ -7,7 +8,7 @@
 #include "core/base/panic.h"
 #include "platform/render/ui/ui_widgets.h"
 
-/* Width and height of the progress bar in layout units. */
+/* Width and height, in layout units, of the progress bar in the ribbon of a score playback. */
 #define BAR_WIDTH 360.0f
 #define BAR_HEIGHT 8.0f
 
@@ -51,7 +52,9 @@ static void playback_ribbon(const struct ui_frame *frame)
     frame->batch->opacity = 1.0f;
     ui_ribbon(frame, (struct ui_ribbon){ FONT_BODY, verdicts[playback].fill, UI_GOLD, 0 }, y,
               (is_end ? 40.0f : 30.0f) * u, ui_words(frame, verdicts[playback].words));
-    if (seeks) { /* The bar shows the fraction of the recording that has been searched. */
+    /* While the recording is played fast up to the beginning of the round, a bar shows the
+     * progress. */
+    if (seeks) {
         const float width = BAR_WIDTH * u;
         struct ui_box bar = { 0.5f * (frame->width - width), y + 44.0f * u, width, BAR_HEIGHT * u };
         ui_fill(frame, bar, UI_NIGHT);
@@ -83,7 +86,7 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
     CORE_ASSERT(width_px > 0.0f && height_px > 0.0f);
     ui_batch_clear(batch);
     ui_screens_notice(memory, scene);
-    if (scene->veil > 0.0f) { /* The fade between two sessions darkens the tank. */
+    if (scene->veil > 0.0f) { /* The tank is darkened while the program fades out and in. */
         ui_veil(&frame, ui_fade(0x05060fffu, scene->veil));
     }
     if (scene->phase < sizeof screens / sizeof *screens && screens[scene->phase]) {

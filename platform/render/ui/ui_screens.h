@@ -9,8 +9,9 @@
 #include "platform/render/ui/ui_batch.h"
 #include "platform/species/library.h"
 
-/* Largest number of caught fish of one player that fly to the counter at the same time. Fish that
- * are caught while so many fly replace the oldest, which then count at once. */
+/* Maximum number of caught fish of one player that fly to the counter (the displayed number of
+ * fish) at the same time. If more fish are caught meanwhile, the oldest flights end early and their
+ * fish are counted at once. */
 #define UI_FLIGHT_MAX 8u
 
 /* Values that the screens showed last, so that a changed value can be animated. A zeroed struct is
@@ -21,13 +22,13 @@ struct ui_memory {
     /* Tick at which each player's fish number n left the bowl for the counter, at the index n %
      * UI_FLIGHT_MAX. */
     uint32_t flight_tick[POI_MAX][UI_FLIGHT_MAX];
-    uint32_t tick;         /* Tick of the last scene. */
+    uint32_t tick;         /* Tick of the scene that was shown last. */
     uint32_t pointed_tick; /* Tick of the last change of the selected tags. */
     /* Bit mask of the selected tags (`pointed`), and of the tags that were selected before the last
      * change (`pointed_before`). */
     uint8_t pointed, pointed_before;
     uint8_t hint, phase;
-    /* Library of the makers' species. Null means that there is no library. */
+    /* Library of the species that users have drawn. Null means that there is no library. */
     const struct library *library;
     struct ui_lab_preview bench; /* State of the growth lab between frames. */
 };

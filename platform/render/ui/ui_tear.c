@@ -5,15 +5,18 @@
 #include "core/base/panic.h"
 #include "platform/render/ui/ui_widgets.h"
 
-#define SLOT_S 3.0f      /* Time in seconds for which one of several players is shown. */
-#define RADIUS 80.0f     /* Inner radius of the drawn ring in layout units. */
-#define RADIUS_M 0.040f  /* Inner radius that is drawn as RADIUS. */
+/* Time in seconds for which the tear of one player is shown before the tear of the next player. */
+#define SLOT_S 3.0f
+#define RADIUS 80.0f /* Inner radius of the drawn ring in layout units. */
+/* Inner radius, in metres, of a real ring. The picture shows this length as RADIUS layout units. */
+#define RADIUS_M 0.040f
 #define RIM_SIDES 28u    /* Number of straight segments of the drawn ring. */
 #define VIEW_DOWN 0.57f  /* Sine of the angle by which the picture looks down on the water. */
-#define VIEW_LEVEL 0.82f /* Cosine of that angle. */
-#define ARROW_S 0.25f    /* Time in seconds for which the arrow of the motion looks ahead. */
-#define ARROW_MAX 78.0f  /* Largest length of that arrow in layout units. */
-#define MOVES_M_S 0.03f  /* Speed from which the motion has an arrow. */
+#define VIEW_LEVEL 0.82f /* Cosine of the angle by which the picture looks down on the water. */
+/* The arrow of the poi's motion is as long as the way of the poi in this time in seconds. */
+#define ARROW_S 0.25f
+#define ARROW_MAX 78.0f /* Maximum length, in layout units, of the arrow of the poi's motion. */
+#define MOVES_M_S 0.03f /* Minimum speed, in m/s, of a poi whose motion is shown by an arrow. */
 #define CELLS 16u
 _Static_assert(CELLS == TEAR_SIDE, "one segment for each cell");
 
@@ -35,13 +38,14 @@ struct spot {
     float x, y;
 };
 
-/* Returns the projection of a vector in world axes whose unit is `scale` pixels long. */
+/* Projects the vector `v` of the world's coordinate system onto the picture. One unit of `v` is
+ * `scale` pixels long. */
 static struct spot project(vec3 v, float scale)
 {
     return (struct spot){ scale * v.x, scale * (VIEW_DOWN * v.z - VIEW_LEVEL * v.y) };
 }
 
-/* Draws a line whose ends have the given distances from `from`. */
+/* Draws a line from the point `from` + `start` to the point `from` + `end`. */
 static void stroke(const struct ui_frame *frame, struct spot from, struct spot start,
                    struct spot end, float width, uint32_t colour)
 {
@@ -49,8 +53,9 @@ static void stroke(const struct ui_frame *frame, struct spot from, struct spot s
                (const float[2]){ from.x + end.x, from.y + end.y }, width, colour);
 }
 
-/* Returns the colour of a load: green for no load, yellow, and red for a load that tears the paper.
- * The square root separates the low loads, which are the usual ones. */
+/* Returns the colour of the paper's load: from green (no load) over yellow to red (a load that
+ * tears the paper). The square root makes differences between low loads visible, because most loads
+ * are low. */
 static uint32_t load_colour(uint8_t load)
 {
     static const uint8_t colours[3][3] = { { 46, 168, 88 }, { 250, 214, 64 }, { 214, 40, 30 } };
@@ -65,8 +70,9 @@ static uint32_t load_colour(uint8_t load)
     return colour << 8 | 0xffu;
 }
 
-/* Draws the cells of the paper, each as a short line along the axis of the poi that is longer in
- * the picture. `x` and `z` are one inner radius along the poi's axes. */
+/* Draws each cell of the paper as a short line. The line is parallel to that axis of the poi (`x`
+ * or `z`) which is longer in the picture. `x` and `z` are the projected axes, one inner radius
+ * long. */
 static void draw_cells(const struct ui_frame *frame, const uint8_t *load, struct spot middle,
                        struct spot x, struct spot z)
 {
@@ -87,8 +93,8 @@ static void draw_cells(const struct ui_frame *frame, const uint8_t *load, struct
     }
 }
 
-/* Draws the frame of the slow motion into `box`: the poi in the middle, the water around it, and
- * the progress of the slow motion with a mark at the moment of the tear. */
+/* Draws one frame of the slow motion into `box`: the poi in the middle, the water around the poi,
+ * and a bar with the progress of the slow motion. A mark on the bar shows the time of the tear. */
 static void draw_motion(const struct ui_frame *frame, uint32_t player, struct ui_box box)
 {
     const struct scene_tear *const tear = &frame->scene->tear[player];
@@ -115,7 +121,8 @@ static void draw_motion(const struct ui_frame *frame, uint32_t player, struct ui
                               r * (cosf(b) * x.y + sinf(b) * z.y) },
                5.0f * u, ui_player_colours[player]);
     }
-    ui_fill(frame, water, 0x3aa0d830u); /* The part of the poi under water has a tint. */
+    /* This translucent fill tints the part of the poi that is under water. */
+    ui_fill(frame, water, 0x3aa0d830u);
     ui_fill(frame, (struct ui_box){ water.x, level, water.width, 2.0f * u }, 0xd8f4ffb0u);
     const float speed_m_s = v3_length(tear->velocity_m_s);
     if (speed_m_s > MOVES_M_S) {
@@ -136,8 +143,8 @@ static void draw_motion(const struct ui_frame *frame, uint32_t player, struct ui
 
 /* ---- Picture of the cause -------------------------------------------------------------------- */
 
-/* Draws the picture of a cause, which is 120 units wide and 60 units high. The paper is a dark
- * line. */
+/* Draws the picture of the cause of a tear, centred at `at`. The picture is 120 layout units wide
+ * and 60 layout units high. In most pictures, a dark line is the paper seen from the side. */
 static void draw_cause(const struct ui_frame *frame, uint8_t cause, struct spot at)
 {
     const float u = frame->unit;

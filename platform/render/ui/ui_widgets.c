@@ -14,7 +14,7 @@
  * credit. */
 #define ASK_S 1.2f
 
-/* These colours equal the colours of the players' pois in the tank. */
+/* The colours equal the colours of the pois (paper scoops) in the tank (poi_paint()). */
 const uint32_t ui_player_colours[POI_MAX] = { 0xf74c75ffu, 0x3385f2ffu, 0x40c25cffu, 0xfabd29ffu };
 
 void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width)
@@ -82,7 +82,7 @@ void ui_hint_ribbon(const struct ui_frame *frame)
     const float u = frame->unit;
     const float age_s = (float)(scene->tick - frame->memory->hint_tick) * CORE_TICK_S;
     const float in = f_smoothstep(0.0f, HINT_FADE_S, age_s);
-    /* A red ribbon means a failure, and a dark ribbon means advice. */
+    /* The ribbon of a hint about a failure is red, and the ribbon of advice is dark. */
     struct ui_ribbon ribbon = { FONT_BODY, UI_NIGHT, UI_GOLD_DIM, 0 };
     if (hint == HINT_LOST_POI) {
         ribbon.fill = 0xb8301ee8u;
@@ -100,11 +100,12 @@ void ui_start_ribbon(const struct ui_frame *frame, float y, enum text_key key)
     const struct scene_credit *const credit = &frame->scene->credit;
     const bool lacks_poi = credit->warnings & WARN_NO_POI, is_coin = credit->unpaid && !lacks_poi;
     if (is_coin && credit->warnings != 0) {
-        return; /* While a warning is active, an inserted coin would be returned. The screen then
-                   shows only the warning and no request for coins. */
+        /* While a warning is active, the coin slot returns inserted coins. Therefore the screen
+         * shows only the warning and no request for coins. */
+        return;
     }
-    /* `asking` is the strength of the emphasis. The strength is 1 when a player tries to start
-     * without credit, and then decreases to 0. */
+    /* `asking` is the strength with which the request for coins is emphasized. `asking` is 1 when a
+     * player tries to start without credit, and then decreases to 0. */
     const float asking = credit->unpaid ? 1.0f - f_smoothstep(0.0f, ASK_S, credit->asked_s) : 0.0f;
     const struct ui_box halo = { 0.5f * frame->width - 400.0f * u, y - 64.0f * u, 800.0f * u,
                                  128.0f * u };
@@ -170,7 +171,8 @@ void ui_credits(const struct ui_frame *frame, float x, float y)
     }
     text_number(words, TEXT_LINE_MAX, ui_words(frame, TEXT_CREDITS), credit->credits);
     if (credit->units > 0 && credit->units < credit->price) {
-        /* A credit that does not pay for a whole round is kept and shown to the next player. */
+        /* Coins that do not pay for a whole round are kept for the next player. The text shows
+         * their units and the price. */
         const size_t length = strlen(words);
         snprintf(words + length, sizeof words - length, "  +  %u/%u", credit->units, credit->price);
     }
@@ -204,7 +206,8 @@ void ui_warnings(const struct ui_frame *frame)
         { scene->asks_menu, TEXT_MENU_ASK },
         { active & WARN_TILT, TEXT_WARN_TILT },
         { active & WARN_DOOR, TEXT_WARN_DOOR },
-        /* During a round, the pause sign already shows this warning in larger letters. */
+        /* During a round, this warning is omitted because the pause sign already shows it in larger
+         * letters. */
         { (active & WARN_NO_POI) && !in_round, TEXT_WARN_NO_POI },
         { active & WARN_STORE, TEXT_WARN_STORE },
     };

@@ -69,8 +69,8 @@ uint32_t ui_first_player(const struct scene *scene);
  * that only the slots with a bowl are counted. */
 uint32_t ui_bowl_count(const struct scene *scene);
 
-/* Records the numbers of caught fish of `scene`. A fish that is caught in a round leaves the bowl
- * for the counter in this tick. */
+/* Records the numbers of caught fish of `scene`. A fish that was caught since the last call begins
+ * to fly from the bowl to the counter (the displayed number of fish). */
 void ui_catch_notice(struct ui_memory *memory, const struct scene *scene);
 /* Returns the number of a player's caught fish that have arrived at the counter. */
 uint32_t ui_catch_shown(const struct ui_frame *frame, uint32_t player);
@@ -79,9 +79,10 @@ uint32_t ui_catch_shown(const struct ui_frame *frame, uint32_t player);
 float ui_catch_pop(const struct ui_frame *frame, uint32_t player);
 /* Draws the fish of a player that fly from the bowl to the counter, which is at (x, y). */
 void ui_catch_flights(const struct ui_frame *frame, uint32_t player, float x, float y);
-/* Returns true while a word over the poi of `player` tells that it narrowly missed a fish. */
+/* Returns true while a word is shown over the poi of `player` because the poi narrowly missed a
+ * fish. */
 bool ui_tells_near_miss(const struct scene *scene, uint32_t player);
-/* Draws this word over each poi that has one. */
+/* Draws the word for a near miss over each poi for which ui_tells_near_miss() returns true. */
 void ui_near_misses(const struct ui_frame *frame);
 
 /* Draws a player's number on a disc of the player's colour, centred at (x, y). */
@@ -93,21 +94,21 @@ void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius,
                    uint32_t fouls);
 
 /* Draws a plate for each player with number, catch, paper and fouls. Draws nothing if there is only
- * one player. The plates are in one row to the left of the `right_px` pixels that other plates
- * occupy at the right edge. If this row is too narrow, the plates are in a second row below.
- * Returns the lower edge of the plates in pixels. */
+ * one player. At the right edge of the top row, other plates occupy `right_px` pixels. The players'
+ * plates are to the left of these plates, or in a second row below if the top row is too narrow.
+ * Returns the lower edge of the players' plates in pixels. */
 float ui_player_plates(const struct ui_frame *frame, float right_px);
 
 /* Draws the players' numbers over their bowls if there are several players. During a round, only
  * the players of the round have a number. */
 void ui_bowl_marks(const struct ui_frame *frame, float alpha);
 
-/* Draws the players' numbers on the handles of their pois if there are several players, so that
- * nobody needs the colour of a ring to find the own poi. */
+/* If there are several players, draws each player's number on the handle of the player's poi, so
+ * that players can find their poi without its colour. */
 void ui_handle_marks(const struct ui_frame *frame);
 
-/* Draws the lessons of all players into the tank: ghosts, rings around fish, arrows to the bowls,
- * and hints beside the pois. */
+/* Draws the lessons of all players into the tank: ghosts (translucent pois that demonstrate a
+ * motion), rings around fish, arrows to the bowls, and hints beside the pois. */
 void ui_lessons(const struct ui_frame *frame);
 
 /* Draws the hint of `player` beside the player's poi, as a picture and, for a single player, as a
@@ -117,15 +118,15 @@ void ui_poi_hint(const struct ui_frame *frame, uint32_t player);
 /* Returns the words of a hint (enum scene_hint), which must not be HINT_NONE. */
 const char *ui_hint_words(const struct ui_frame *frame, uint8_t hint);
 
-/* Draws over all other drawings: the stallkeeper's announcements, the umpire's foul signs, and the
- * pause after a loss of controller input. */
+/* Draws the stallkeeper's announcements, the umpire's foul signs, and the pause after a loss of
+ * controller input over all other drawings. */
 void ui_umpire(const struct ui_frame *frame);
 
 /* Returns the player whose slow motion of a tear is shown, or POI_MAX if no paper tore. Several
  * players are shown one after another. */
 uint32_t ui_torn_player(const struct scene *scene);
-/* Draws why the paper of `player` tore, in `box`: the slow motion of the first tear, a picture of
- * the cause, and words. The parts are side by side if the box is wider than high. */
+/* Shows in `box` why the paper of `player` tore: the slow motion of the first tear, a picture of
+ * the cause, and words. The three parts are side by side if the box is wider than high. */
 void ui_tear(const struct ui_frame *frame, uint32_t player, struct ui_box box);
 
 /* Declarations of functions that each draw one whole screen. */
@@ -140,8 +141,8 @@ void ui_ready(const struct ui_frame *frame);
 void ui_round(const struct ui_frame *frame);
 void ui_result(const struct ui_frame *frame);
 
-/* Returns the opacity of the leaderboard, [0, 1]. The leaderboard fades in and out. 0 means that
- * the leaderboard is hidden. */
+/* Returns the opacity, [0, 1], of the leaderboard `board`, which fades in and out. 0 means that the
+ * leaderboard is hidden. */
 float ui_leaderboard_in(const struct scene_leaderboard *board);
 
 /* Draws the leaderboard, vertically centred between `top` and `bottom` in pixels. Draws nothing
@@ -164,7 +165,7 @@ struct ui_period {
     enum text_key place; /* Text such as "No. {} today". */
 };
 /* Returns the name of the shown leaderboard's mode, followed by its level if the mode has levels.
- * The text may be in `out`. */
+ * `out` is memory that the function may use for the result. */
 const char *ui_leaderboard_name(const struct ui_frame *frame, char out[TEXT_LINE_MAX]);
 
 /* Returns the texts of a leaderboard period. Returns the texts of the period without end if

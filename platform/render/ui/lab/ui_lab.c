@@ -130,9 +130,9 @@ static void name_plate(const struct ui_frame *frame)
                box.x + box.width - 18.0f * u, box.y + 0.5f * box.height, of);
 }
 
-/* Draws the help line beside the species' name, or above the name on a tall upright screen.
- * Messages for the operator replace the help line in turn: the number of rejected makers' files,
- * then the reason for each rejected file. */
+/* Draws the help line beside the species' name, or above the name on a tall upright screen. From
+ * time to time, messages for the operator replace the help line: first the number of rejected
+ * species files, then the reason for each rejected file. */
 static void help_line(const struct ui_frame *frame)
 {
     const float u = frame->unit;
@@ -172,8 +172,8 @@ static void help_line(const struct ui_frame *frame)
 
 void ui_lab(const struct ui_frame *frame)
 {
-    /* A recording may show a maker's species that exists only on another kiosk. In this case the
-     * graphs are drawn without a fish. */
+    /* A recording may show a species that a user drew and that exists only on another kiosk. In
+     * this case the graphs are drawn without a fish. */
     struct ui_memory *const memory = frame->memory;
     const struct scene_lab *const lab = &frame->scene->lab;
     const struct species *found = NULL;

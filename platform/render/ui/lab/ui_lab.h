@@ -9,8 +9,7 @@
 #include "platform/render/ui/ui_primitives.h"
 #include "platform/render/ui/ui_screens.h"
 
-/* Colour of the curve that shows the fish's length. The 2005 thesis also uses purple for this
- * curve. */
+/* Colour of the curve that shows the fish's length, the same as in the 2005 thesis. */
 #define LAB_PURPLE 0x8a3fb5ffu
 #define LAB_PAPER 0xfbf2ddffu
 #define LAB_PAPER_LINE 0xb5762fffu
@@ -37,9 +36,9 @@ void lab_length_words(float length_m, char *out, size_t out_size);
  * there is no translation, returns `id`, the identifier in the species file. */
 const char *lab_name(uint8_t language, const char *id);
 
-/* Returns the previewed fish at `progress` through life in its usual view. The extent of the fish
- * over all ages is centred at (x, y). The fish is `share` times as large as the largest fish that
- * fits into `width` x `height` pixels at every age. */
+/* Returns the previewed fish at `progress` through life in its usual view. The box that contains
+ * the fish at all ages is centred at (x, y). With `share` = 1, the fish has the largest size at
+ * which it fits into `width` x `height` pixels at every age. `share` is a factor of this size. */
 struct specimen lab_fish(const struct ui_frame *frame, float progress, float x, float y,
                          float width, float height, float share);
 

@@ -54,8 +54,8 @@ static void dot_in(const struct ui_frame *frame, struct ui_box field, struct mom
 
 /* ---- Deformation graph ---------------------------------------------------------------------- */
 
-/* Draws the right-hand axis of lengths. Its labels are those of 1 mm, 10 mm, 100 mm and 1 m that
- * lie in the range of the length curve. */
+/* Draws the right-hand axis of lengths. The axis has labels at 1 mm, 10 mm, 100 mm and 1 m, as far
+ * as these lengths lie in the range of the length curve. */
 static void length_axis(const struct ui_frame *frame, struct ui_box field)
 {
     static const struct {
@@ -79,8 +79,8 @@ static void length_axis(const struct ui_frame *frame, struct ui_box field)
     }
 }
 
-/* Draws the weight curve of a key (modelled growth stage). A straight line between two knots is
- * drawn as one segment. */
+/* Draws the weight curve of a key (modelled growth stage). If the curve is straight between two
+ * knots (support points), this part is drawn as one segment. */
 static void weight_curve(const struct ui_frame *frame, struct ui_box field, uint32_t key,
                          float width)
 {
@@ -200,8 +200,8 @@ void lab_graph(const struct ui_frame *frame)
         line_in(frame, field, (struct moment){ key_x, 0.0f }, (struct moment){ key_x, 1.0f }, 1.0f,
                 GRID);
     }
-    /* The left axis shows the weights in per cent. The maximum width keeps a label away from the
-     * paper's frame and from a dragged knot. */
+    /* Draws the left axis, which shows the weights in per cent. The labels have a maximum width,
+     * which keeps them away from the paper's frame and from a dragged knot. */
     for (uint32_t i = 0; i <= 4u; i++) {
         const float share = 0.25f * (float)i;
         line_in(frame, field, (struct moment){ 0.0f, share }, (struct moment){ 1.0f, share },
@@ -258,8 +258,8 @@ void lab_chart(const struct ui_frame *frame)
     ui_text(frame->batch, style, field.x + field.width, foot, words);
     ui_text(frame->batch, ui_body(frame, 16.0f, LAB_INK_SOFT), field.x, foot,
             ui_words(frame, TEXT_LAB_CHART));
-    /* The points of the growth curve have equal distances in the square root of age. With equal
-     * distances in the progress through life, most points would lie in the first weeks. */
+    /* The points of the growth curve are evenly spaced in the square root of age. If they were
+     * evenly spaced in the progress through life, most points would lie in the first weeks. */
     struct moment before = moment_at(card, 0.0f, most);
     for (uint32_t i = 1; i <= CHART_STEPS; i++) {
         const float share = (float)i / (float)CHART_STEPS;

@@ -1,6 +1,6 @@
-/* ui_lab_keys.c -- draws the key shapes (modelled growth stages) as their maker drew them, the
- * weight of each key at the current age, and the lifeline. Also returns the growth lab's names and
- * figures in both languages. */
+/* ui_lab_keys.c -- draws the key shapes (modelled growth stages) of the species, the weight of each
+ * key at the current age, and the lifeline. Also writes the growth lab's names, ages and lengths in
+ * both languages. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -61,7 +61,8 @@ void lab_length_words(float length_m, char *out, size_t out_size)
     CORE_ASSERT(out_size > 0);
     const float mm = 1000.0f * length_m;
     const bool in_mm = mm < 99.5f;
-    const bool is_fine = in_mm ? mm < 9.95f : mm < 399.5f; /* True if one decimal place is shown. */
+    /* True if the length is short enough to be shown with one decimal place. */
+    const bool is_fine = in_mm ? mm < 9.95f : mm < 399.5f;
     snprintf(out, out_size, "%.*f %s", is_fine ? 1 : 0, (double)(in_mm ? mm : 0.1f * mm),
              in_mm ? "mm" : "cm");
 }

@@ -1,5 +1,6 @@
-/* ui_lab_preview.c -- computes the prepared deformation graphs (rigs) and the trajectories of
- * points of the species that the growth lab shows. */
+/* ui_lab_preview.c -- computes two things for the species that the growth lab shows: its rigs
+ * (deformation graphs, prepared for computing poses), and the trajectories of points of the
+ * fish. */
 #include "platform/render/ui/lab/ui_lab_preview.h"
 
 #include <string.h>
@@ -9,8 +10,9 @@
 
 /* ---- Trajectories --------------------------------------------------------------------------- */
 
-/* Returns the position of one vertex at `progress` through life. The position is computed with a
- * mesh of only this vertex, which shares all other tables with the species' mesh. */
+/* Returns the position of one vertex at `progress` through life. To save time, the position is
+ * computed with a mesh that has only this vertex and shares all other tables with the species'
+ * mesh. */
 static vec3 ui_lab_preview_point_at(struct ui_lab_preview *bench, const struct species *species,
                                     const struct morph_rig *rig, uint32_t vertex, float progress)
 {

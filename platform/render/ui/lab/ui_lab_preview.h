@@ -30,7 +30,7 @@ struct lab_preview_path {
 };
 
 /* State of the growth lab's picture. The size is about 180 KB, mostly the tables of the ordinary
- * morph. A zeroed struct means that no species is selected yet. */
+ * morph. All fields 0 means that no species is selected yet. */
 struct ui_lab_preview {
     const struct species *species; /* Selected species. Null means that no species is selected. */
     /* Counter that increases by 1 with each selection of a species. */
@@ -40,14 +40,15 @@ struct ui_lab_preview {
     bool is_shown;
     /* Copy of the species card from which the other fields were computed. */
     struct species_card card;
-    struct morph_rig rig; /* Prepared deformation graphs with the player's edits. */
+    /* Deformation graphs with the player's edits, prepared for computing poses. */
+    struct morph_rig rig;
     struct morph_rig ordinary_rig;
     struct species ordinary;
     struct straight_memory memory;
     struct lab_preview_path ways[LAB_PREVIEW_POINT_COUNT];
     /* Extents of the fish over all ages, in the usual view (specimen_portrait()). */
     struct specimen_bounds bounds;
-    struct morph_pose pose; /* Scratch memory for computing trajectories. */
+    struct morph_pose pose; /* Temporary memory for computing trajectories. */
 };
 
 /* Selects `species` with the card `card` that the player edited. Recomputes only the fields that

@@ -8,11 +8,11 @@
 
 #define TAU 6.28318531f
 #define BEAT_HZ 1.1f
-/* Maximum number of marks on the ruler. In practice a ruler has about 110 marks, because marks are
- * at least 7 px apart. */
+/* Maximum number of marks on the ruler. A ruler usually has about 110 marks, because marks are at
+ * least 7 px apart. */
 #define RULE_MARKS_MAX 260u
 /* Length on the screen of the newly hatched fish, as a fraction of the adult's length on the
- * screen. The value is below 1 so that growth is visible. */
+ * screen. A fraction below 1 makes growth visible. */
 #define YOUNG_SIZE 0.74f
 #define WAY_GOLD 0xffd24affu
 #define WAY_PINK 0xff8fb0ffu
@@ -20,9 +20,12 @@
 /* Margin above the fish in canvas units. The margin is needed because the fish turns a little while
  * it swims. */
 #define TOP 40.0f
-#define TOP_CAPTION 62.0f /* Margin above the fish in canvas units if a caption is shown. */
-#define FOOT 12.0f        /* Margin above the ruler in canvas units. */
-/* Minimum length in pixels of a trajectory from which its dots have their full size. */
+/* Margin above the fish in canvas units if a caption is shown, which is the case beside a
+ * comparison fish. */
+#define TOP_CAPTION 62.0f
+#define FOOT 12.0f /* Margin above the ruler in canvas units. */
+/* Length of a trajectory, in layout units, from which its dots have their full size. Shorter
+ * trajectories have smaller dots. */
 #define DOT_WAY 120.0f
 
 /* ---- Area of a fish ------------------------------------------------------------------------- */
@@ -90,8 +93,9 @@ static float ruler_step_m(float px_per_m, float least_px)
     return power;
 }
 
-/* Draws a bamboo ruler from the fish's snout to the right. The ruler shows the length that is
- * usually measured for the species, for example with or without the tail fin. */
+/* Draws a bamboo ruler below the fish, whose zero is at the fish's snout. A bracket on the ruler
+ * marks the length that is usually measured for the species, for example with or without the tail
+ * fin. */
 static void ruler(const struct ui_frame *frame, const struct tank_room *room,
                   const struct specimen *fish)
 {
@@ -132,8 +136,9 @@ static void ruler(const struct ui_frame *frame, const struct tank_room *room,
         }
     }
     if (lab->card.measure == MEASURE_DISC) {
-        return; /* A disc-shaped body is measured by its width, which a ruler below the fish cannot
-                   show. */
+        /* The bracket is omitted for a disc-shaped body, which is measured by its width, because a
+         * ruler below the fish cannot show a width. */
+        return;
     }
     /* A bracket marks the measured length of the fish on the ruler. */
     const float left[2] = { zero, rule.y + 1.5f * u };
@@ -154,9 +159,9 @@ static struct ui_text on_water(struct ui_text style)
     return ui_outlined(style, 0.04f, 0.10f, 0x02141ec0u);
 }
 
-/* Draws the fish's age and length at the top of the stage. While a comparison fish is shown, draws
- * them as a caption that names the fish's morph (text `key`). Without the captions, a player could
- * confuse the two fish, because they have the same age and length. */
+/* Draws the fish's age and length at the top of the stage. If a comparison fish is shown, also
+ * draws the name of the fish's morph (text `key`), because the two fish have the same age and
+ * length and a player could confuse them. */
 static void caption(const struct ui_frame *frame, const struct tank_room *room, enum text_key key)
 {
     static const enum text_key measures[] = { TEXT_TOTAL_LENGTH, TEXT_STANDARD_LENGTH,

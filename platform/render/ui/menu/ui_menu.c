@@ -59,8 +59,8 @@ static void hung_tag(const struct ui_frame *frame, uint32_t tag)
                 ui_words(frame, is_page ? menu_words_of(page)->title : words->names[tag]));
     ui_label_in(frame, (struct ui_box){ x, box.y + 0.64f * box.height, width, 0.28f * box.height },
                 24.0f, MENU_INK_SOFT, is_page ? menu_words_of(page)->about : words->lines[tag]);
-    /* The sign in the upper corner of a tag is an exclamation mark on red for a page that the
-     * operator should check, or the seal for a changed setting. */
+    /* A tag may have a sign in its upper corner. The sign is an exclamation mark on red if the
+     * operator should check the tag's page, or a seal if the tag leads to a changed setting. */
     const float sign_x = box.x + box.width - 26.0f * u, sign_y = box.y + 26.0f * u, r = 17.0f * u;
     const struct scene_machine *const machine = &scene->devices.machine;
     if ((page == MENU_UPKEEP || page == MENU_FILES) &&
@@ -209,14 +209,15 @@ void menu_pin(const struct ui_frame *frame)
                                                            : TEXT_PIN_NEW;
     char words[TEXT_LINE_MAX];
     text_number(words, sizeof words, ui_words(frame, key), (uint32_t)ceilf(menu->pin_wait_s));
-    /* Draws one place for each digit. The digits of a new PIN are visible. When an existing PIN is
-     * entered, a fish replaces each digit. */
+    /* Draws one place for each digit. A new PIN is shown as digits, and an existing PIN is shown as
+     * fish while the operator enters it. */
     const bool is_upright = frame->is_upright;
     const float u = frame->unit, y = is_upright ? 260.0f : 124.0f;
     const float size = is_upright ? 120.0f : 92.0f, pitch = size + (is_upright ? 36.0f : 28.0f);
     const float width = (float)(MENU_PIN_DIGITS - 1u) * pitch + size;
     const float left = 0.5f * (pointer_layout_size(is_upright).x - width);
-    uint32_t unit = 1; /* Weight of the digit, 10 to the power of the number of later digits. */
+    /* Place value of the drawn digit: 1, 10, 100 and so on, from the last digit to the first. */
+    uint32_t unit = 1;
     for (uint32_t k = 1; k < menu->pin_count; k++) {
         unit *= 10u;
     }

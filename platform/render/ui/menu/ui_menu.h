@@ -21,7 +21,8 @@ struct menu_words {
      * page shows both texts. */
     enum text_key title, about;
     enum text_key foot[MENU_FOOT_MAX]; /* Texts of the tags at the bottom of the page, in order. */
-    /* Names and descriptions of the hanging tags that lead to no page. */
+    /* Names (`names`) and descriptions (`lines`) of the page's large tags that lead to no other
+     * page. */
     enum text_key names[8], lines[8];
     /* Function that draws the page. Null means that the page consists only of tags. */
     void (*draw)(const struct ui_frame *frame);
@@ -43,11 +44,11 @@ struct setting_words {
 };
 const struct setting_words *menu_setting_words_of(uint32_t id);
 
-/* Writes the range and the default of a setting as a text, such as "free / paid / event standard
- * free", where "free" is the default. */
+/* Writes the range and the default of a setting as a text. For example, the text is "free / paid /
+ * event standard free" if "free" is the default. */
 void menu_range_words(const struct ui_frame *frame, uint32_t id, char *out, size_t out_size);
 
-/* Returns the box of a tag on the screen. The box is empty if the tag is not available. */
+/* Returns the box of a tag on the screen. The box is empty if the tag cannot be selected now. */
 struct ui_box menu_tag_place(const struct ui_frame *frame, uint32_t tag);
 
 /* Draws a tag without text and returns its box. The box is slightly lower while the tag is
@@ -62,7 +63,8 @@ void menu_paper(const struct ui_frame *frame, struct ui_box box);
 void menu_note(const struct ui_frame *frame, struct layout_box wide, struct layout_box upright,
                struct ui_text style, const char *words);
 
-/* Returns a style of ui_brush(). `size` is the size for Japanese in canvas units. */
+/* Returns the style of a large word (ui_brush()). `size` is the size in canvas units of a Japanese
+ * word. */
 struct ui_text menu_brush(const struct ui_frame *frame, float size, uint32_t fill);
 
 /* Draws the operator's vermilion seal, which marks a setting whose value differs from its

@@ -66,7 +66,8 @@ void menu_about(const struct ui_frame *frame)
     text_number(boots, sizeof boots, ui_words(frame, TEXT_LEDGER_LINE), menu->boot);
     text_number(up, sizeof up, ui_words(frame, TEXT_UP_LINE),
                 frame->scene->tick / (60u * CORE_TICK_HZ));
-    const bool is_one = places->name_width > 0.0f; /* True if the parts are beside each other. */
+    /* True if the two parts of the heading are beside each other. */
+    const bool is_one = places->name_width > 0.0f;
     const float room = box.width - 44.0f * u, x = box.x + 22.0f * u;
     const float y = box.y + (is_one ? 0.5f : 0.28f) * places->head * u;
     snprintf(words, sizeof words, "Kingyo %s    %.60s    %.60s", KINGYO_VERSION, boots, up);
@@ -88,8 +89,9 @@ void menu_about(const struct ui_frame *frame)
 struct file_places {
     float x, y, width, pitch, height;
     float name_height, line_height;
-    uint32_t line_count; /* Number of lines that are available for the reason of a fault. A text of
-                            SCENE_LINE_SIZE letters of average width fits in these lines. */
+    /* Number of lines that a paper slip has for the reason of a file's fault. These lines are
+     * enough for SCENE_LINE_SIZE letters of average width. */
+    uint32_t line_count;
     struct layout_box count;
 };
 
@@ -141,7 +143,8 @@ void menu_take_line(struct ui_text style, const char **words, float room_px, boo
 /* ---- Paper slips, one for each file --------------------------------------------------------- */
 
 /* Draws the reason of a file's fault in several lines. The last line is shrunk so that the complete
- * remaining text fits. The text of the store begins with the number of lost scores. */
+ * remaining text fits. In row 0, the row of the store, the text begins with the number of lost
+ * scores. */
 static void draw_file_reason(const struct ui_frame *frame, const struct file_places *places,
                              uint32_t row, const struct scene_file *file, struct ui_box box)
 {

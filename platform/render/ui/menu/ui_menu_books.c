@@ -17,12 +17,13 @@
 struct book_line {
     enum text_key name;
     uint8_t audit,
-        by;        /* `audit` is the index of the shown counter, or AUDIT_COUNT + a level for the
+        by; /* `audit` is the index of the shown counter, or AUDIT_COUNT + a level for the
                           number of rounds at this level. `by` is the index of the
                           counter by which the shown counter is divided. A `by` of 0 means no
                           division, because counter 0 is never a divisor. */
-    uint16_t over; /* Additional constant divisor, for example 3600 to convert seconds to hours.
-                          0 means no division. */
+    /* Constant by which the value is divided in addition, for example 3600 to convert seconds to
+     * hours. 0 means no division. */
+    uint16_t over;
 };
 
 static void draw_book_rule(const struct ui_frame *frame, float x, float y, float width)
@@ -234,7 +235,9 @@ static void bars(const struct ui_frame *frame, struct ui_box box, enum text_key 
                      (struct ui_box){ x - 0.34f * pitch, base - height, 0.68f * pitch, height },
                      3.0f * u, 0.0f, BAR_PAINT, 0);
         }
-        if (audit[i] == most) { /* Only the highest bars have their value written as a number. */
+        /* The value of a bar is written only at the highest bar, or at all highest bars if several
+         * are equal. */
+        if (audit[i] == most) {
             write_count(words, audit[i]);
             ui_words_at(frame, x, base - height - 18.0f * u, 3.0f * pitch, 0.5f,
                         ui_body(frame, 22.0f, UI_INK), words);
@@ -312,8 +315,8 @@ void menu_ranking(const struct ui_frame *frame)
     }
 }
 
-/* Draws the page of one score. The tags below the score are actions that the operator can
- * select. */
+/* Draws the page of one score. The tags below the score, which other functions draw, are actions
+ * that the operator can select. */
 void menu_score(const struct ui_frame *frame)
 {
     const float u = frame->unit;

@@ -1,9 +1,10 @@
 /* ui_menu_calibrate.c -- draws the calibration page and the learning page.
  *
- * The calibration page first shows the tank from above with four marks and the next instruction. In
- * the last step, the page shows the water from the side, and the operator lays the poi on the
- * water. On the learning page, the operator teaches the program the axes of a controller. An
- * animated poi in a basin demonstrates the motion that the operator must make. */
+ * The calibration page first shows the tank from above, with the four marks at which the operator
+ * must hold the poi (the paper scoop), and the next instruction. In the last step, the page shows
+ * the water from the side, and the operator lays the poi on the water. On the learning page, the
+ * operator teaches the program the axes of a controller. An animated poi in a basin demonstrates
+ * the motion that the operator must make. */
 #include <math.h>
 
 #include "core/base/panic.h"
@@ -87,9 +88,10 @@ static struct layout_point place_in(const struct ui_frame *frame, struct ui_box 
                                   pool.y + pool.height * (0.5f + f_clamp(near, -0.5f, 0.5f)) };
 }
 
-/* Draws a mark for each calibration step: a fish for a finished step, a large ring for the current
- * step, and a small ring for a later step. The large ring fills while the operator holds the poi
- * still. Also draws the current position of the poi, as computed with the new calibration. */
+/* Draws the four marks at which the operator must hold the poi, one for each calibration step: a
+ * fish for a finished step, a large ring for the current step, and a small ring for a later step.
+ * The large ring fills while the operator holds the poi still. Also draws the current position of
+ * the poi, as computed with the new calibration. */
 static void draw_calibration_marks(const struct ui_frame *frame, struct ui_box pool)
 {
     const struct scene *const scene = frame->scene;
@@ -152,7 +154,8 @@ void menu_calibration(const struct ui_frame *frame)
     } else {
         draw_calibration_marks(frame, pool);
     }
-    /* The player's number, and whether a calibration is stored for this player's controller. */
+    /* This line shows the player's number, and whether a calibration is stored for the player's
+     * controller. */
     const struct ui_box line = ui_place(frame, places->state);
     const float line_y = line.y + 0.5f * line.height;
     const bool is_torn = input_calibration_is_torn(&menu->settings, menu->slot);
@@ -181,18 +184,17 @@ void menu_calibration(const struct ui_frame *frame)
 /* ---- Learning page: the axes of a controller ------------------------------------------------- */
 
 #define LOOP_S 2.4f /* Period of the demonstrated motion in seconds. */
-/* Time in seconds at which the demonstrated outward motion ends, counted from the start of each
- * period of LOOP_S seconds. */
+/* Time in seconds, from the start of a period, at which the demonstrated outward motion ends. */
 #define WAY_S 0.9f
-/* Time in seconds at which the demonstrating poi has returned, counted from the start of each
- * period of LOOP_S seconds. */
+/* Time in seconds, from the start of a period, at which the demonstrating poi has returned. */
 #define BACK_S 2.1f
 #define STEPS (LEARN_DIP - LEARN_REST + 1)
 
 struct step_words {
     enum text_key name, words;
-    float x, y; /* Direction of the poi's motion, in units of half of the basin's width and
-                   height. */
+    /* Motion that the operator must make: the way of the poi from the middle of the basin. The
+     * units are half of the basin's width (x) and half of its height (y). */
+    float x, y;
 };
 
 static const struct step_words steps[LEARN_STEP_COUNT] = {
@@ -236,8 +238,8 @@ static void draw_motion_demo(const struct ui_frame *frame, struct ui_box box, ui
     float x = 0.5f, y = 0.5f;
     const bool is_trial = step == LEARN_TRY || step == LEARN_NOT_SAVED;
     float paper = step == LEARN_FAILED ? 0.15f : 1.0f, radius = 46.0f * u;
-    if (is_trial && menu->has_hand) { /* The poi in the picture follows the controller that is being
-                                         taught. */
+    /* In the trial, the poi in the picture follows the controller whose axes were learned. */
+    if (is_trial && menu->has_hand) {
         x = menu->x / canvas.x;
         y = menu->y / canvas.y;
         radius *= menu->presses ? 0.75f : 1.0f;

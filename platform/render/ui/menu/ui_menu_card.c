@@ -56,8 +56,8 @@ static void draw_card_outline(const struct ui_frame *frame, struct ui_box box, f
 }
 
 /* Returns the number of grid lines from the middle of the picture to one edge, including the line
- * in the middle. `length` is the picture's width or height, and `side` is the side of a grid
- * square. The maximum is GRID_LINES_MAX. */
+ * in the middle, at most GRID_LINES_MAX. `length` is the picture's width or height, and `side` is
+ * the side of a grid square. */
 static uint32_t grid_lines(float length, float side)
 {
     CORE_ASSERT(side > 0.0f);
@@ -127,8 +127,7 @@ void menu_card(const struct ui_frame *frame)
     const struct ui_box whole = { 0.0f, 0.0f, width, height };
     ui_fill(frame, whole, CARD_BLACK);
     /* The grid is drawn from the middle of the picture to the edges, so that the grid is symmetric.
-     * The maximum GRID_LINES_MAX of grid_lines() ends the loops even if a square is smaller than a
-     * pixel. */
+     * grid_lines() limits the number of lines, because a square can be very small. */
     for (uint32_t i = 0; i < grid_lines(width, side); i++) {
         line_down(frame, x + (float)i * side, 0.0f, height, 1.0f, CARD_GREY);
         line_down(frame, x - (float)i * side, 0.0f, height, 1.0f, CARD_GREY);
@@ -149,7 +148,7 @@ void menu_card(const struct ui_frame *frame)
                 COLOUR_COUNT);
     greys(frame, (struct ui_box){ left, y + 1.0f * side, 6.0f * side, 1.5f * side });
     draw_card_letters(frame, x, y);
-    for (uint32_t i = 0; i < 4u; i++) { /* Letters in the four corners. */
+    for (uint32_t i = 0; i < 4u; i++) { /* The loop draws the letters in the four corners. */
         const float inset_x = SAFE * width + 90.0f, inset_y = SAFE * height + 60.0f;
         draw_card_letters(frame, i % 2u ? width - inset_x : inset_x,
                           i < 2u ? inset_y : height - inset_y);

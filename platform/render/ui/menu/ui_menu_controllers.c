@@ -24,8 +24,8 @@ static const struct state_words states[CONTROLLER_STATE_COUNT] = {
     [CONTROLLER_DENIED] = { TEXT_STATE_DENIED, TEXT_ROW_DENIED, MENU_BAD },
 };
 
-/* Writes the name of a controller, such as "057e:2009 Pro Controller, port 3-1.2". Without a name,
- * as in a recording, writes the number of the row. */
+/* Writes the name of the controller in the row `row`, such as "057e:2009 Pro Controller, port
+ * 3-1.2". If the name is unknown, as in a recording, writes the number of the row. */
 static void name_of(const struct ui_frame *frame, uint32_t row, char *out, size_t out_size)
 {
     CORE_ASSERT(row < CONTROLLER_MAX);
@@ -118,8 +118,8 @@ void menu_one_controller(const struct ui_frame *frame)
 
 #define AXIS_COUNT 6u
 #define NEGATIVE_PAINT 0x2b4c8cffu
-/* Longest time in ms between two reports from which a controller is treated as unreliable. See
- * core/game/control/input_pose.h. */
+/* If the longest time between two reports of a controller reaches this value in ms, the controller
+ * is treated as unreliable. See core/game/control/input_pose.h. */
 #define GAP_BAD_MS 100.0f
 
 struct axis {
@@ -202,7 +202,8 @@ void menu_axes(const struct ui_frame *frame)
         axes_heading(frame, input, index, box);
         const float pitch = (box.height - 68.0f * u) / 3.0f, width = 0.5f * box.width - 34.0f * u;
         for (uint32_t axis = 0; axis < AXIS_COUNT && input->link == POI_SOURCE_LIVE; axis++) {
-            /* Positions are drawn on the left side, rotations on the right side. */
+            /* The three positions are drawn on the left side, and the three rotations on the right
+             * side. */
             const float x = box.x + 22.0f * u + (axis >= 3u ? width + 24.0f * u : 0.0f);
             const float y = box.y + 58.0f * u + (float)(axis % 3u) * pitch;
             axis_bar(frame, input, (struct ui_box){ x, y, width, pitch }, axis);

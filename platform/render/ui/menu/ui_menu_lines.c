@@ -9,7 +9,7 @@
 #include "platform/render/ui/text.h"
 
 #define CLINK_S 0.5f
-#define STATE_ROWS 2u /* Number of text rows for the status line of the input lines. */
+#define STATE_ROWS 2u /* Number of text rows for the status line that describes all input lines. */
 
 static const enum text_key names[INPUT_BUTTON_COUNT + 1u] = {
     TEXT_LINE_START, TEXT_LINE_LEFT,    TEXT_LINE_RIGHT, TEXT_LINE_OK,   TEXT_LINE_LANGUAGE,
@@ -104,9 +104,9 @@ static void draw_input_line_notes(const struct ui_frame *frame)
     const struct ui_text warm = ui_body(frame, 24.0f, 0xf0c089ffu);
     const float x = is_upright ? 27.0f : 60.0f, y = is_upright ? 1100.0f : 517.0f;
     const float width = pointer_layout_size(is_upright).x - 2.0f * x;
-    /* The status line of the input lines has STATE_ROWS rows. The status line names the program or
-     * device that uses the input lines, and the input lines that are missing. The last row is
-     * shrunk to fit. */
+    /* The status line names the program or device that uses the input lines, and the input lines
+     * that are missing. The status line is wrapped into STATE_ROWS rows, and the last row is shrunk
+     * to fit. */
     const struct ui_text style =
         ui_body(frame, 22.0f, devices->buttons_missing ? 0xff9c86ffu : MENU_NOTE);
     char row[TEXT_TRANSLATE_SIZE], said[TEXT_TRANSLATE_SIZE];
@@ -123,8 +123,9 @@ static void draw_input_line_notes(const struct ui_frame *frame)
     snprintf(words, sizeof words, "%s%s%s", ui_words(frame, TEXT_TEST_COINS_WORDS),
              is_upright ? "" : "      ", is_upright ? "" : faults);
     ui_words_in(frame, ui_place(frame, canvas_box(x, foot, width, 32.0f)), warm, words);
-    if (is_upright) { /* On an upright screen, one row is too narrow for the note about coins and
-                         the number of faults. */
+    /* On an upright screen, the number of faults has a row of its own, because one row is too
+     * narrow for the note about coins and the number of faults. */
+    if (is_upright) {
         ui_words_in(frame, ui_place(frame, canvas_box(x, foot + 32.0f, width, 32.0f)), warm,
                     faults);
     }

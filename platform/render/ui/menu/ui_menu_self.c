@@ -47,8 +47,8 @@ static const enum text_key names[SELF_CHECKS] = {
     [SELF_COINS] = TEXT_CHECK_COINS,     [SELF_POIS] = TEXT_CHECK_POIS,
 };
 
-/* Texts of each check in each state, for texts without a number. 0 means that figures_say() returns
- * the text, or that the check never has the state. */
+/* Text of each check in each state, if the text contains no number. 0 means that the text contains
+ * a number, which figures_say() returns, or that the check never has the state. */
 static const enum text_key plain[SELF_CHECKS][SELF_STATES] = {
     [SELF_STORE] = { [SELF_GOOD] = TEXT_CHECK_STORE_GOOD,
                      [SELF_LOOK] = TEXT_CHECK_STORE_LOOK,
@@ -140,7 +140,7 @@ static void row_words(const struct ui_frame *frame, uint32_t check, uint8_t stat
         static const uint8_t months[12] = { 31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
         uint32_t year = 2000, month = 0, day = scene->menu.self.day, length = 366;
         for (; day >= length; length = year % 4u == 0 ? 366u : 365u) {
-            /* Every fourth year is a leap year until 2099. */
+            /* From 2000 to 2099, every fourth year is a leap year. */
             day -= length;
             year++;
         }
@@ -169,7 +169,8 @@ static uint32_t state_paint(uint8_t state)
  * the check has no result yet. */
 static void draw_mark(const struct ui_frame *frame, float x, float y, uint8_t state)
 {
-    /* Two strokes of a tick and two strokes of a cross: x and y of each end, in units of `r`. */
+    /* The two strokes of a tick and of a cross. Each row has x and y of both ends of a stroke, in
+     * units of `r`. */
     static const float tick[2][4] = { { -1.0f, 0.1f, -0.3f, 0.8f }, { -0.3f, 0.8f, 1.0f, -0.9f } };
     static const float cross[2][4] = { { -1.0f, -0.9f, 1.0f, 0.9f }, { -1.0f, 0.9f, 1.0f, -0.9f } };
     const float u = frame->unit, r = 13.0f * u;
@@ -194,9 +195,9 @@ static void draw_check_sheet(const struct ui_frame *frame, struct ui_box box, ui
     ui_panel(frame, UI_WASHI, box, 8.0f * u, 2.0f * u, UI_WASHI_WHITE, state_paint(state));
 }
 
-/* Draws the text in one line if it fits. Otherwise draws two lines in a smaller size. The second
- * line is shrunk to fit. A Japanese text is broken after the last comma or full stop from which the
- * remaining text fits on one line, if the text has such a position. */
+/* Draws the text in one line if it fits. Otherwise draws two lines in a smaller size, and shrinks
+ * the second line to fit. A Japanese text is broken after a comma or full stop if the rest of the
+ * text then fits on the second line. If there are several such places, the last one is used. */
 static void draw_wrapped_text(const struct ui_frame *frame, struct ui_box box, struct ui_text style,
                               const char *words)
 {
@@ -254,8 +255,8 @@ void menu_self_test(const struct ui_frame *frame)
     for (uint32_t i = 0; i < SELF_CHECKS; i++) {
         draw_check_row(frame, places, i, state[i]);
     }
-    /* The summary of all checks follows the rows. Below the summary is the next step that the
-     * operator must take. */
+    /* Draws the summary of all checks below the rows and, if a check has not passed, the next step
+     * that the operator must take. */
     const float u = frame->unit;
     const bool is_ready = next == SELF_CHECKS;
     const uint8_t kind = is_ready ? (uint8_t)SELF_GOOD : state[next];

@@ -1,5 +1,6 @@
-/* ui_menu_settings.c -- draws the pages of settings. A wooden board for each setting shows its
- * name, range, default and value. */
+/* ui_menu_settings.c -- draws the pages of settings. Each setting has a wooden board, which shows
+ * the setting's name, range, default and value. A seal marks a value that differs from its
+ * default. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,14 +11,14 @@
 /* Colour of a value that differs from its default, dark enough to be readable on wood. */
 #define CHANGED_PAINT 0x94140cffu
 
-/* Text size of the range, margin at the left and right edge of a board, and width of the value, in
- * canvas units. */
+/* Text size of the range on a board, margin at the left and right edge of a board, and width of the
+ * value on a board. All three are in canvas units. */
 #define RANGE_SIZE 22.0f
 #define INSET 22.0f
 #define VALUE_WIDTH 222.0f
 
 /* Positions of the texts on a board, in canvas units from the left edge of the board. The range of
- * a setting is beside its name on a wide screen, and below its name on an upright screen. */
+ * the setting is beside the name on a wide screen, and below the name on an upright screen. */
 struct places {
     float name_size, value_size, name_width;
     float range_x, range_width;
@@ -62,7 +63,8 @@ static void value_words(const struct ui_frame *frame, uint32_t id, int32_t value
     } else if (setting->kind == KIND_MINUTE) {
         snprintf(out, out_size, "%02d:%02d", (int)value / 60, (int)value % 60);
     } else if (words->unit == TEXT_VAL_PER_MILLE) {
-        /* A value in per mille is shown in per cent with one decimal place. */
+        /* This setting is in per mille, and its value is shown in per cent with one decimal
+         * place. */
         snprintf(out, out_size, "%d.%d %%", (int)value / 10, (int)value % 10);
     } else {
         const enum text_key special = value == 0 ? words->zero : value == 1 ? words->one : 0;
@@ -72,8 +74,8 @@ static void value_words(const struct ui_frame *frame, uint32_t id, int32_t value
 }
 
 /* Writes the range of a setting, such as "5 - 240 min" or "0.0 - 10.0 %". If the value 0 has its
- * own text, this text is listed before the range ("silent / 1 - 10"). The text is omitted if the
- * default value beside the range already shows the text. */
+ * own text, this text comes before the range ("silent / 1 - 10"). However, if 0 is the default, its
+ * text is omitted because the board shows the default beside the range. */
 static void span_words(const struct ui_frame *frame, uint32_t id, char *out, size_t out_size)
 {
     const struct setting_words *const words = menu_setting_words_of(id);
@@ -160,8 +162,8 @@ static void draw_board(const struct ui_frame *frame, const struct places *places
     }
 }
 
-/* Draws the description `words` above the tags at the bottom of the page. Also draws whether the
- * last change of a setting has been written to disk, unless no setting has been changed. */
+/* Draws the description `words` above the tags at the bottom of the page. If a setting has been
+ * changed, also draws whether the last change has been written to disk. */
 static void draw_setting_notes(const struct ui_frame *frame, const struct places *places,
                                const char *words)
 {
@@ -241,8 +243,9 @@ void menu_settings(const struct ui_frame *frame)
     draw_setting_notes(frame, places, help);
 }
 
-/* Draws a board for each bit of a setting that is a bit mask. Like the board of a whole setting,
- * the board of a bit shows a range, a default and a seal. */
+/* Draws the page of a setting that is a bit mask, with one wooden board for each bit. A board shows
+ * the bit's range (on / off), default and value. A seal marks a bit that differs from its
+ * default. */
 void menu_bits(const struct ui_frame *frame)
 {
     const struct scene_menu *const menu = &frame->scene->menu;

@@ -134,8 +134,8 @@ const struct menu_words *menu_words_of(uint8_t page)
     return &pages[page < MENU_PAGE_COUNT ? page : (uint8_t)MENU_TOP];
 }
 
-/* Returns the texts of a setting. Calibration settings and the PIN are never shown as numbers and
- * have no texts. For these settings, returns the texts of setting 0. */
+/* Returns the texts of a setting. Returns the texts of setting 0 for the calibration settings and
+ * the PIN, which have no texts because the menu never shows them as numbers. */
 const struct setting_words *menu_setting_words_of(uint32_t id)
 {
     return &settings[id < SETTING_COUNT && settings[id].name ? id : 0u];
