@@ -83,7 +83,7 @@ struct core_status {
  * it. */
 struct core_status core_status(const struct core *core);
 
-/* Returns the audit counters. The counters change with each tick. */
+/* Returns a pointer to the audit counters in `core`, which change with each tick. */
 const struct audits *core_audits(const struct core *core);
 
 /* Returns the record of the running round, or of the last round if no round runs. The member `id`
@@ -94,7 +94,8 @@ struct round_record core_round_record(const struct core *core);
  * struct contains pointers to `core`. */
 struct vision core_vision(const struct core *core, uint32_t player);
 
-/* Returns the ranking of all modes and periods. The ranking changes with each tick. */
+/* Returns a pointer to the leaderboards of all modes and periods in `core`, which change with each
+ * tick. */
 const struct ranking *core_ranking(const struct core *core);
 
 /* Writes the health entry for a regular end of the program to `out`. The entry contains the uptime

@@ -15,7 +15,8 @@
  * picture. */
 #define DISPLAY_INSET_MAX 0.25f
 
-/* Display options. If all fields are 0, the picture has the screen's size and zero brightness. */
+/* Display options. If all fields are 0, the picture covers the whole screen, unrotated, with
+ * brightness 0 (dark). */
 struct display_settings {
     /* Clockwise rotation of the picture on the screen, in quarter turns, 0 .. 3. */
     uint32_t rotation;

@@ -13,8 +13,8 @@
 /* Number of ticks per second. The step length is fixed: two ticks per frame at 60 Hz. */
 #define CORE_TICK_HZ 120u
 
-/* Longest time for which a round is paused while pois are lost. The slot of a lost poi is reserved
- * for the same time. */
+/* Longest time for which a round is paused while controllers of pois are disconnected. The slot of
+ * a disconnected controller is reserved for the same time. */
 #define POI_WAIT_TICKS_MAX (120u * CORE_TICK_HZ)
 #define CORE_TICK_S (1.0f / 120.0f)
 
@@ -105,7 +105,8 @@ struct poi_target {
      * beyond +-100 m is invalid. */
     vec3 position_m;
     /* Orientation. Yaw 0 means that the handle points toward the player; pitch > 0 raises the far
-     * edge. Whole turns are removed. An angle beyond +-1,000 rad is invalid. */
+     * edge. The core removes whole turns from each angle. An angle beyond +-1,000 rad is
+     * invalid. */
     struct angles angles;
 };
 

@@ -35,7 +35,7 @@ enum scene_place {
 };
 
 struct scene_fish {
-    vec3 position_m; /* Centre of the fish's body box. */
+    vec3 position_m; /* Centre of the box around the fish's body. */
     struct angles angles;
     float length_m; /* Total length, snout to tail tip. */
     float age_days; /* Days since hatching. Shape and colour are those of this age. */
@@ -117,7 +117,7 @@ struct scene_bowl {
     uint8_t owner;
     vec3 position_m;      /* Centre of the bowl's mouth. The bowl floats, and a poi can push it. */
     struct angles angles; /* Orientation of the bowl, which tilts when it floats unevenly. */
-    float radius_m;       /* Radius of the mouth. */
+    float radius_m;       /* Radius of the bowl's mouth. */
     float depth_m;
     float water_below_m; /* Distance from the bowl's mouth down to the water inside the bowl. */
     uint32_t fish_count;
@@ -322,7 +322,7 @@ struct scene {
     uint8_t choice;       /* In PHASE_MODE_SELECT: the selected mode, or CHOICE_LAB. */
     uint8_t tags;         /* Bit mask of the tags of the mode selection (core/game/mode_tags.h). */
     uint8_t pointed_tags; /* Bit mask of the tags that players have selected. */
-    uint8_t upright;      /* 1 if the tags are on the portrait canvas, otherwise 0. */
+    uint8_t upright;      /* 1 if the tags of the mode selection are on the portrait canvas. */
     /* Bit mask of the modes that can be selected (1 << enum game_mode, or 1 << CHOICE_LAB). */
     uint8_t modes;
     struct scene_offer {

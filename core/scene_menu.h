@@ -35,7 +35,8 @@ struct scene_menu {
     uint16_t tags; /* Bit mask of the page's items that can be selected. */
     uint8_t row;   /* Row of the selected controller. */
     uint8_t score; /* Selected row of the leaderboard. */
-    /* First row shown on the file page, of controllers.file_count rows; 0 if the list is empty. */
+    /* Index of the first row that the file page shows, < controllers.file_count; 0 if the list is
+     * empty. */
     uint8_t file_first;
     uint8_t upright, has_hand, presses;
     uint8_t hides_level; /* 1 if the menu has no row for the setting SET_LEVEL, otherwise 0. */

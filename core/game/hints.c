@@ -211,8 +211,8 @@ static struct view_of_fish view_at_poi(const struct hints *hints, const struct w
 
 bool hints_may_change(uint8_t shown, uint8_t next, uint32_t shown_ticks, const struct poi *poi)
 {
-    /* An urgent hint replaces the current hint immediately. Any other hint replaces it after the
-     * player has done the action of the current hint, or after HINT_TICKS_MIN. */
+    /* An urgent hint replaces the current hint immediately. Any other hint replaces the current
+     * hint after the player has done the action of the current hint, or after HINT_TICKS_MIN. */
     const bool is_urgent = next == HINT_TORN || next == HINT_LOST_POI;
     const bool is_followed =
         (shown == HINT_LIFT && poi->immersed < 0.5f) || (shown == HINT_DIP && poi->immersed > 0.5f);

@@ -26,7 +26,7 @@ extern const struct mode_tag mode_tags[MODE_TAG_COUNT];
  * for each level. */
 uint32_t mode_tags_offered(uint8_t modes, bool has_levels);
 
-/* Tags that select a level are large, and the other tags are small.
- * Returns the box of the offered tag `tag` on the portrait canvas (`upright`) or on the wide
- * canvas. `offered` is the bit mask of all offered tags. */
+/* Returns the box of the offered tag `tag` on the portrait canvas (`upright`) or on the wide
+ * canvas. `offered` is the bit mask of all offered tags. Tags that select a level are large, and
+ * the other tags are small. */
 struct layout_box mode_tag_box(bool upright, uint32_t offered, uint32_t tag);

@@ -22,7 +22,7 @@
 /* Height of a controller's pose above which a press of its pointer ends. The pose of a mouse hovers
  * at 0.035 m. */
 #define POINTER_RELEASE_Y_M 0.018f
-/* Distance on the canvas. A pointer that moves less than this distance counts as resting. */
+/* Distance on the canvas. A pointer counts as resting if it moves less than this distance. */
 #define POINTER_MOVE_MIN 14.0f
 
 struct layout_box {

@@ -168,8 +168,8 @@ static void begin_result(struct game *game, struct world *world, const struct co
 {
     game->paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        world->poi[i].carried_count = 0; /* After the end of the time, the fish on the paper return
-                                            to the water. */
+        /* Return the fish on the paper to the water, because the time of the round is over. */
+        world->poi[i].carried_count = 0;
     }
     game_enter_phase(game, PHASE_RESULT);
     name_note_round(&game->name, &game->accounts, &config->persistent.settings,

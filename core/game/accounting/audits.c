@@ -1,4 +1,4 @@
-/* audits.c -- adds each kind of ledger entry to its counters. */
+/* audits.c -- adds each ledger entry to the counters that belong to its kind. */
 #include "core/game/accounting/audits.h"
 
 #include "core/base/panic.h"

@@ -1,9 +1,10 @@
 /* vision.h -- the vision of the bot: the visible state of the game, one object per call.
  *
  * A bot reads the game only through the functions of vision.h. Each function returns only what
- * core_scene() shows (tests/unit/core/game/bot/test_vision.c). A bot sees where fish are, but not
- * their plans. A bot also sees the picture of the paper, but not its strength. struct vision refers
- * to the game and the world for the duration of a call and stores nothing. */
+ * core_scene() shows (tests/unit/core/game/bot/test_vision.c). A bot sees the positions of the
+ * fish, but not the state of their behaviour. A bot also sees the picture of the paper, but not the
+ * strength of the paper. struct vision refers to the game and the world for the duration of a call
+ * and stores nothing. */
 #pragma once
 
 #include <stdint.h>

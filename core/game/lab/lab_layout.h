@@ -53,8 +53,7 @@ struct layout_box lab_box(bool upright, uint32_t key_count, enum lab_part part);
 enum lab_part lab_part_at(bool upright, uint32_t key_count, struct layout_point at);
 
 /* lab_age_x() returns the x coordinate of `progress` on the age axis, and lab_age_progress()
- * returns the progress at `x`. The axis runs from below the first key's picture to below the last
- * key's picture. */
+ * returns the progress at `x`, clamped to [0, 1]. The axis runs from below the first key's picture
+ * to below the last key's picture. */
 float lab_age_x(bool upright, uint32_t key_count, float progress);
-float lab_age_progress(bool upright, uint32_t key_count,
-                       float x); /* The returned progress is clamped to [0, 1]. */
+float lab_age_progress(bool upright, uint32_t key_count, float x);

@@ -22,13 +22,13 @@
 /* Value of a fish index that stands for no fish. */
 #define LESSON_NO_FISH 0xffffu
 
-/* Duration of the ghost. */
+/* Duration of the ghost's demonstration. */
 #define LESSON_GHOST_TICKS (5u * CORE_TICK_HZ)
 
 enum ghost_state {
     GHOST_WAITS = 0, /* The ghost has not begun. */
     GHOST_RUNS,
-    GHOST_IS_OVER, /* The ghost is complete, or the player dipped the poi. */
+    GHOST_IS_OVER, /* The demonstration is complete, or the player dipped the poi. */
 };
 
 struct ghost {

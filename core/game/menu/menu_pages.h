@@ -145,5 +145,6 @@ menu_is_enabled menu_settings_enabled;
 menu_open_page menu_settings_open;
 menu_activate_page menu_settings_activate, menu_bits_activate;
 
-/* Continues to change a value while the button or poi that selected the value is still pressed. */
+/* Repeats the change of the selected setting while `is_pressed` is true, which means that the
+ * button is still held or the poi is still dipped. */
 void menu_settings_tick(const struct menu_scope *scope, bool is_pressed);

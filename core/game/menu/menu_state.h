@@ -10,8 +10,8 @@
 #include "core/scene.h"
 
 #define CALIBRATE_STILL_TICKS (CORE_TICK_HZ + CORE_TICK_HZ / 2u)
-/* Largest motion at which a poi counts as held still. An arm that rests on the tank's rim moves
- * less. */
+/* Largest distance in metres and largest rotation (input_turn()) by which a poi may move while it
+ * counts as held still. An arm that rests on the tank's rim moves less. */
 #define CALIBRATE_STILL_M 0.008f
 #define CALIBRATE_STILL_TURN 0.15f
 /* Distance that the poi must move away from the last accepted pose before the next pose can be
@@ -78,12 +78,12 @@ struct calibrate {
 /* Checks of the self-test: first the checks of the machine, then the checks of the parts that a
  * player uses. */
 enum self_check {
-    /* The store confirmed a ledger entry on disk, and no database is in quarantine. */
+    /* Passes if the store confirmed a ledger entry on disk, and no database is in quarantine. */
     SELF_STORE = 0,
     SELF_BACKUP,
-    SELF_DATA, /* Data written to the data folder survives a power cut. */
+    SELF_DATA, /* Passes if data in the data folder survives a power cut. */
     SELF_ROOM,
-    SELF_FILES, /* No file in the data folder was rejected at startup. */
+    SELF_FILES, /* Passes if no file in the data folder was rejected at startup. */
     SELF_CLOCK,
     SELF_HEAT,
     SELF_WATCHDOG,
@@ -233,7 +233,7 @@ struct menu {
     uint32_t turn_tick;  /* Tick at which a value on a settings page last changed. */
     uint8_t row;         /* Row of the selected controller in the list of controllers. */
     uint8_t upright;     /* 1 if the last input reported a portrait screen, otherwise 0. */
-    uint8_t hides_level; /* 1 if the menu has no row for the level, otherwise 0. */
+    uint8_t hides_level; /* 1 if the menu has no row for the setting SET_LEVEL. */
     uint8_t file_first;  /* Index of the first file that the file page shows. */
     /* Selected leaderboard: the number of the board (ranking_board()) * RANK_PERIOD_COUNT + the
      * period's number. */

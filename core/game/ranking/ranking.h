@@ -57,8 +57,8 @@ struct rank_board ranking_board_at(uint32_t board);
  * the board at LEVEL_MASTER, whose number is then returned. */
 uint32_t ranking_board(uint8_t mode, uint8_t level);
 
-/* Adds an entry to the leaderboards. A finished round without bots adds its players, and a
- * LEDGER_NAME adds a name to an earlier round. */
+/* Updates the leaderboards from a ledger entry. The entry of a finished round without bots adds the
+ * players of the round, and a LEDGER_NAME adds a name to an earlier round. */
 void ranking_note(struct ranking *ranking, const struct ledger_entry *entry);
 
 /* Returns the place of slot `slot` of round `round_id` on board `board`, from 0. RANK_ROWS means
