@@ -147,7 +147,8 @@ struct field_cursor {
         const struct field_table *table;
         const uint8_t *object;
         const struct field *field; /* Current member of `object`. */
-        const uint8_t *element;    /* Next element of the current member if it has a table. */
+        const uint8_t *element;    /* Next element of the current member that the visit will enter,
+                                      if the member is an array of structs. */
         /* Number of elements that the visit has not yet entered, beginning with `element`. */
         uint32_t element_count;
     } level[FIELD_DEPTH_MAX];

@@ -18,7 +18,7 @@ static const volatile struct {
                                                            and must not be treated as 0. */
     { 0x00800000, 0x3f000000, 0x00000000, 0x00400000 }, /* The product x * y is a denormal number
                                                            and must not become 0. */
-    /* The two tests above with negative numbers, in this line and the next. */
+    /* The next two tests are the two tests above with negative numbers. */
     { 0x80000001, 0x4b800000, 0x80000000, 0x81000000 },
     { 0x80800000, 0x3f000000, 0x80000000, 0x80400000 },
     /* 1 plus half a unit in the last place. The sum is half way between two floats and must be
@@ -26,7 +26,7 @@ static const volatile struct {
     { 0x3f800000, 0x3f800000, 0x33800000, 0x3f800000 },
     { 0x3f800000, 0x3f800000, 0x33c00000, 0x3f800001 }, /* 1 plus three quarters of a unit in the
                                                            last place must round up. */
-    /* The two rounding tests above with negative numbers, in this line and the next. */
+    /* The last two tests are the two rounding tests above with negative numbers. */
     { 0xbf800000, 0x3f800000, 0xb3800000, 0xbf800000 },
     { 0xbf800000, 0x3f800000, 0xb3c00000, 0xbf800001 },
 };

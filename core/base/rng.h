@@ -37,8 +37,8 @@ enum rng_purpose {
     RNG_FISH_AVOID_SIDE,
     RNG_FISH_ESCAPE,
     RNG_FISH_DEPTH,
-    /* No purpose has the value 14 any more. The later purposes keep their values, because otherwise
-     * their random numbers would change. */
+    /* The value 14 is unused since its purpose was removed. The later purposes keep their values,
+     * because otherwise their random numbers would change. */
     RNG_SHEET_STRENGTH = 15,
     RNG_SHEET_SLAP,
     RNG_SHEET_SPOT,

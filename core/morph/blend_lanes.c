@@ -19,8 +19,9 @@ _Static_assert(sizeof(struct species_vertex) == 16 && offsetof(struct species_ve
                "part to masks are two words");
 _Static_assert(sizeof(vec3) == 12 && sizeof(struct anchor_pose) == 28, "floats, side by side");
 
-/* Distance, in vertices, from the block that is being blended to the vertices that are prefetched.
- * Hardware prefetchers start too late, because each table is read as a short stream. */
+/* Distance, in vertices, from the block that is being blended to the vertices that the code
+ * prefetches. Hardware prefetchers would start too late, because the code reads only a short part
+ * of each table. */
 #define AHEAD 96u
 #define LINE 64u /* Size of a cache line in bytes. */
 

@@ -135,7 +135,7 @@ static bool clear_column(struct system *s, uint32_t column, uint32_t count)
     if (!(f_abs(scale) >= PIVOT_MIN)) {
         return false;
     }
-    /* Swap the rows `pivot` and `column`, and divide the row `column` by the pivot. */
+    /* Swaps the rows `pivot` and `column`, and divides the row `column` by the pivot. */
     for (uint32_t i = 0; i < count; i++) {
         const float left = s->left[pivot][i], right = s->right[pivot][i];
         s->left[pivot][i] = s->left[column][i];
@@ -191,7 +191,7 @@ void graph_from_template(struct graph *graph, enum graph_template template_id, u
         graph->knots[1].weight[key_count - 1] = 1.0f;
         return;
     }
-    /* Add one knot for each key. At its own knot, an inner key has the weight `own`, and each of
+    /* Adds one knot for each key. At its own knot, an inner key has the weight `own`, and each of
      * its two neighbours has the weight (1 - own) / 2. The first and the last key have the weight 1
      * at their own knots. For TEMPLATE_SMOOTH, the weights at an inner knot are 1/6, 4/6 and 1/6,
      * as for a cubic B-spline. */

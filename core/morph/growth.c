@@ -13,7 +13,8 @@
 #include "core/morph/cubic.h"
 
 #define DAYS_PER_YEAR 365.25f
-/* Highest age that the growth functions use. The oldest goldfish on record lived for 43 years. */
+/* Highest age that the growth functions use. Hardly any fish is older; the oldest goldfish on
+ * record lived for 43 years. */
 #define AGE_MAX_DAYS (40.0f * DAYS_PER_YEAR)
 /* Time constant of half a minute for growth_shifted(). With this short time, the length follows von
  * Bertalanffy's curve practically from hatching. */

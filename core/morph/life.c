@@ -31,8 +31,8 @@ static bool is_length_monotone(const struct species_card *card, uint32_t key)
            growth_is_one_way(&card->growth, age[0], age[1]);
 }
 
-/* Returns the position of `length_m` between two lengths on a logarithmic scale: 0 at `from_m`, 1
- * at `to_m`. */
+/* Returns the position [0, 1] of `length_m` between two lengths on a logarithmic scale: 0 at
+ * `from_m`, 1 at `to_m`. */
 static float part_between(float from_m, float to_m, float length_m)
 {
     CORE_ASSERT(from_m > 0.0f && to_m > 0.0f);

@@ -21,10 +21,10 @@
 /* Width of the margin along each edge of a spot's cell, as a fraction of the cell. The spot's
  * centre lies at a random place in the rest of the cell, never in the margin. */
 #define CELL_RIM 0.2f
-/* Assumed height of a flank in body lengths. The constant converts the height of the gill slit to
- * body lengths. */
+/* Assumed height of a flank in body lengths, which converts the height of the gill slit to body
+ * lengths. */
 #define BOW_HEIGHT 0.35f
-/* Value of mark_point.right at which the soft edge of a one-sided mark begins. */
+/* Value of mark_point.right (-1 to 1) at which the soft edge of a mark on only one side begins. */
 #define SIDE_RIM 0.25f
 /* Factor that converts the width of the mouth slit from body lengths to a fraction of the head's
  * height. The head is assumed to be 0.14 body lengths high. */
@@ -185,7 +185,8 @@ static float lines(const struct species_mark *m, float offset, float extent)
 float mark_cover(const struct species_mark *m, const struct mark_point *at)
 {
     CORE_ASSERT(at->part < PART_COUNT && at->side <= SIDE_LEFT);
-    if (m->kind == MARK_SIDE) { /* A one-sided mark also covers the paired fins on its side. */
+    if (m->kind == MARK_SIDE) { /* A mark on only one side also covers the paired fins on that
+                                   side. */
         const bool paired = at->part == PART_PECTORAL || at->part == PART_PELVIC;
         const float toward = m->count == SIDE_RIGHT ? at->right : -at->right;
         const float soft = f_max(m->width, 0.02f);

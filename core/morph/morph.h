@@ -75,7 +75,8 @@ enum graph_fault {
 };
 
 struct graph_verdict {
-    uint8_t fault; /* First fault that graph_check() found (enum graph_fault). */
+    uint8_t fault; /* First fault that graph_check() found (enum graph_fault). The members `knot`,
+                      `key` and `value` give its place. */
     uint8_t knot, key;
     float value;
 };
@@ -125,7 +126,8 @@ enum graph_template {
 void graph_from_template(struct graph *graph, enum graph_template template_id, uint32_t key_count,
                          float peak);
 
-/* Deformation graphs of one fish (one per curve), prepared for repeated evaluation (pose.c). */
+/* Deformation graphs of one fish, one graph for each curve, in a form that is fast to evaluate
+ * (pose.c). */
 
 struct morph_rig {
     uint32_t key_count, curve_count;

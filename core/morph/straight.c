@@ -10,8 +10,8 @@
 
 #define REACH_MAX 4.0f
 
-/* Writes the points of key `key` with all vertices in the body frame. If `reach` equals the reach
- * of the mesh, a vertex without an anchor is copied unchanged. */
+/* Writes the points of key `key`, with the coordinates of all vertices in the body frame. If
+ * `reach` equals the reach of the mesh, a vertex without an anchor is copied unchanged. */
 static void bake_key(const struct species_mesh *mesh, uint32_t key_count, uint32_t key, float reach,
                      struct straight_memory *memory, struct species_point *out)
 {
@@ -99,9 +99,9 @@ void straight_thesis(const struct species *from, struct straight_memory *memory,
         }
         card->thesis_key[i] = (uint8_t)i;
     }
-    card->scale_knot_count = 0; /* The knots of the hand-drawn size curve are removed, because their
-                                   progress refers to all keys of the species, and a species with
-                                   three keys has a different progress. */
+    card->scale_knot_count = 0; /* The hand-drawn size curve is removed, because the progress of its
+                                   knots refers to all keys of the species. The species has only
+                                   three keys now, so its progress has another meaning. */
     graph_from_template(&card->curves[0], (enum graph_template)card->thesis_template, 3,
                         SIMULTANEOUS_PEAK);
 }

@@ -76,8 +76,8 @@ void poi_spring_tick(struct poi *poi, vec3 target_m, const struct basis *axes, f
     const vec3 down_n = v3_add(poi_weight_n(poi), v3(0.0f, -poi->meniscus_n, 0.0f));
     vec3 burden_n = vec_basis_to_body(axes, down_n);
     burden_n.y += poi_kick_n(poi);
-    /* If the limit HAND_N_MAX applies, the spring force is constant, and the stiffness counts as
-     * 0. */
+    /* If the spring force has reached its limit HAND_N_MAX, the force no longer depends on the
+     * distance, so the stiffness counts as 0. */
     const vec3 stretch_m = v3_sub(target_m, poi->position_m);
     const vec3 full_n = v3_scale(stretch_m, HAND_N_M);
     const float stiffness = v3_dot(full_n, full_n) > HAND_N_MAX * HAND_N_MAX ? 0.0f : HAND_N_M;
@@ -133,10 +133,11 @@ vec3 poi_spring_n(const struct poi *poi, const struct basis *axes)
 
 /* ---- Automatic tip over the bowl ------------------------------------------------------------ */
 
-/* Returns the horizontal direction of the tip for a bowl in the direction `way`. The function
- * prefers roll to pitch, because a wrist rolls a handle more easily than it raises the handle. The
- * tip never lowers the handle, because the handle would then pass through the bowl. If the bowl is
- * between the ring and the hand, the poi therefore only rolls. */
+/* Returns the horizontal direction of the tip (the automatic tilt of the poi over its bowl) for a
+ * bowl in the direction `way`. The function prefers roll to pitch, because a wrist rolls a handle
+ * more easily than it raises the handle. The tip never lowers the handle, because the handle would
+ * then pass through the bowl. If the bowl is between the ring and the hand, the poi therefore only
+ * rolls. */
 static vec3 rather_sideways(vec3 way, float yaw_rad)
 {
     const vec3 right = v3(f_cos(yaw_rad), 0.0f, -f_sin(yaw_rad));
@@ -174,8 +175,9 @@ static void tip_over_bowl(struct poi *poi, const struct bowl *bowl, bool has_wri
     poi->tip += f_clamp(goal - poi->tip, -step, step);
 }
 
-/* Returns `target` rotated toward the bowl by the progress of the tip. While the poi is tipped, the
- * result is also higher, because the fish would otherwise slide out below the bowl's mouth. */
+/* Returns the pose `target` rotated toward the bowl by the progress of the tip (the automatic tilt
+ * of the poi over its bowl). While the poi is tipped, the returned pose is also higher, because the
+ * fish would otherwise slide out below the bowl's mouth. */
 static struct poi_target tipped_target(const struct poi *poi, const struct bowl *bowl,
                                        struct poi_target target)
 {

@@ -87,8 +87,8 @@ void poi_haptics(const struct poi *poi, struct poi_force *force)
     const vec3 gain = vec_basis_to_body(&axes, v3_sub(poi->velocity_m_s, poi->before_m_s));
     const vec3 took = v3(mass_kg.x * gain.x, mass_kg.y * gain.y, mass_kg.z * gain.z);
     const vec3 moved_n = v3_scale(vec_basis_to_world(&axes, took), (float)CORE_TICK_HZ);
-    /* Sum of all forces on the ring except the force of the hand. The fish count as if they were at
-     * the centre of the ring. */
+    /* Sum of all forces on the ring except the force of the hand. All forces of the fish count as
+     * if they acted at the centre of the ring. */
     const vec3 water_n = poi_water_n(poi, &axes);
     const float kick_n = poi_kick_n(poi);
     const vec3 burden_n =

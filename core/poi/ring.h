@@ -1,13 +1,13 @@
-/* ring.h -- the mechanics of the ring of a poi (the paper scoop): the forces of the water, the
- * loads on ring and paper, and the hand spring.
+/* ring.h -- computes the mechanics of the ring of a poi (the paper scoop): the forces of the water,
+ * the loads on ring and paper, and the hand spring.
  *
  * A disc is the model of the ring and its paper in the water. The functions disc_*() return forces
  * as coefficients (force divided by speed). A caller adds a coefficient to the left side of an
  * implicit integration step. Drag then slows a poi at any speed but never reverses its motion. In
  * the formulas, rho is the density of water, and a is the radius of the disc.
  *
- * The hand spring pulls the ring toward the hand of the player. Forces are in newtons and in
- * world axes unless a comment names other axes. */
+ * The hand spring pulls the ring toward the hand of the player. Forces are in newtons and in world
+ * axes unless a comment names other axes. */
 #pragma once
 
 #include "core/base/panic.h"
@@ -54,8 +54,9 @@ static inline float ring_axis_m_s(float kg, float speed_m_s, float force_n, floa
 void poi_spring_tick(struct poi *poi, vec3 target_m, const struct basis *axes, float immersed);
 
 /* Returns the force of the hand on the ring, in world axes: the force of the spring and of its
- * damping at the present position and velocity of the ring. The result is therefore also valid for
- * a blocked ring. `axes` are the poi's axes. */
+ * damping at the present position and velocity of the ring. The function does not use the
+ * acceleration of the ring, so the result is also valid for a blocked ring. `axes` are the poi's
+ * axes. */
 vec3 poi_spring_n(const struct poi *poi, const struct basis *axes);
 
 /* Returns the effective mass of the ring for motion along each of its axes (right, up, back). The

@@ -33,7 +33,7 @@ static void clamp_coordinate(float *place, float *speed, float low, float high)
 
 /* Applies the tank walls. A ring inside the walls stays inside, unless its lowest edge is above the
  * rim of the tank. A ring beyond the walls or across the rim rests on the rim. The ring's position
- * at the start of the tick decides between the two cases. The ring's angles do not decide, because
+ * at the start of the tick decides which case applies. The ring's angles have no influence, because
  * a rotation must never move the ring over a wall. */
 static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 up)
 {

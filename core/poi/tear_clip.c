@@ -11,8 +11,8 @@
 #define DRY_SHARE 0.02f
 /* Acceleration above which a ring in the air counts as jerked. */
 #define JERK_M_S2 3.0f
-/* Time for which the cells of wet paper were wet on average, as a fraction of SHEET_SOAK_TICKS,
- * above which the paper counts as soaked too long. The value is 12 s. A dip then does 1.7 times the
+/* Limit, as a fraction of SHEET_SOAK_TICKS, of the mean time for which the cells of the paper were
+ * wet: 12 s. Above the limit, the paper counts as soaked too long. A dip then does 1.7 times the
  * damage that the same dip does to fresh wet paper. */
 #define SOAKED_SHARE 0.2f
 /* Tension, as a fraction of the strength of fresh wet paper, below which a load counts as moderate.
@@ -31,7 +31,8 @@ static float patch_tension_n_m(const struct poi *poi, uint32_t from, uint32_t to
     return most;
 }
 
-/* Returns the mean fraction of SHEET_SOAK_TICKS for which the cells of the new sheet were wet. */
+/* Returns the mean time for which the cells of the new sheet were wet, as a fraction of
+ * SHEET_SOAK_TICKS. */
 static float soaked_share(const struct sheet *sheet)
 {
     uint32_t ticks = 0;
@@ -81,7 +82,8 @@ uint8_t tear_cause_of(const struct tear_clip *clip, const struct poi *poi)
     if (poi->immersed < DRY_SHARE) {
         return v3_length(poi->acceleration_m_s2) > JERK_M_S2 ? TEAR_FAST : TEAR_WEIGHT;
     }
-    /* The paper is pushed flat if the ring moves more along its normal than along its plane. */
+    /* The cause is TEAR_FLAT (paper that was pushed along its normal) if the ring moves more along
+     * its normal than along its plane. */
     const vec3 v = poi->velocity_m_s;
     const float normal_m_s = v3_dot(v, vec_basis_from_angles(poi->angles).up);
     return 2.0f * normal_m_s * normal_m_s > v3_dot(v, v) ? TEAR_FLAT : TEAR_FAST;

@@ -47,9 +47,9 @@ struct tear_clip {
     struct tear_frame frames[TEAR_CLIP_FRAMES];
 };
 
-/* Returns the cause (enum tear_cause) for which the paper of `poi` tears in this tick. `clip` is
- * the recording of the poi up to this tick. The result is TEAR_NONE if no cell tore. Must be called
- * between poi_apply_reaction() and catch_tick(), which changes the loads on the paper. */
+/* Returns the cause (enum tear_cause) for which the paper of `poi` tears in this tick, or TEAR_NONE
+ * if no cell tore. `clip` is the recording of the poi up to this tick. Must be called between
+ * poi_apply_reaction() and catch_tick(), which changes the loads on the paper. */
 uint8_t tear_cause_of(const struct tear_clip *clip, const struct poi *poi);
 
 /* Records one tick. `tick` is the number of the tick. Must be called between poi_apply_reaction()

@@ -1,5 +1,5 @@
-/* bowl.c -- implements the hull of a bowl and its content, and returns the fish of a full bowl to
- * the tank. */
+/* bowl.c -- computes the hull and the content of a bowl, and returns the fish of a full bowl to the
+ * tank. */
 #include "core/poi/bowl/bowl.h"
 
 #include "core/base/mem.h"

@@ -54,8 +54,8 @@ static float load_kg(const struct bowl *bowl)
 
 /* ---- Forces of a ring on a bowl ------------------------------------------------------------- */
 
-/* Returns the force of a poi's ring on the hull. The force is the force of the poi's hand spring,
- * within limits; the force is 0 if the ring does not touch the hull. */
+/* Returns the force of a poi's ring on the hull: the force of the poi's hand spring, within limits.
+ * Returns 0 if the ring does not touch the hull. */
 static vec3 ring_push_on_hull(const struct bowl *bowl, const struct poi *poi)
 {
     const vec3 none = { 0.0f, 0.0f, 0.0f };
@@ -131,7 +131,7 @@ static void keep_apart(struct bowl *a, struct bowl *b)
 static void float_on(struct bowl *bowl, const struct tank *tank, vec3 push_n)
 {
     CORE_ASSERT(bowl->present);
-    /* Mean height and slope of the water surface under the hull. */
+    /* Computes the mean height and the slope of the water surface under the hull. */
     const float arm_m = 0.7f * BOWL_RADIUS_M, x = bowl->position_m.x, z = bowl->position_m.z;
     const float left = water_height_m(&tank->water, tank->size_m, x - arm_m, z);
     const float right = water_height_m(&tank->water, tank->size_m, x + arm_m, z);

@@ -92,8 +92,8 @@ bool capture_releases(const struct poi *poi, const struct basis *axes, const str
 #define LEVEL_MIN 0.35f
 /* Depth of water over the paper above which a fish can stand upright, in body heights. */
 #define STAND_SHARE 1.05f
-/* Additional depth of water that a fish needs, because a fish may lie across the ring, which is
- * 3 mm higher than the paper. */
+/* Additional depth of water that a fish needs to stand upright, because a fish may lie across the
+ * ring, which is 3 mm higher than the paper. */
 #define STAND_SPARE_M 0.0045f
 #define HELD_SHARE (CAPTURE_FLOAT_SHARE - 0.05f)
 /* Horizontal speed of a fish that slips off over the ring because the paper has no room. */
@@ -102,7 +102,7 @@ bool capture_releases(const struct poi *poi, const struct basis *axes, const str
 /* Lowest speed of the ring toward a wall that counts as a motion toward the wall. The motion of a
  * trembling hand is slower. */
 #define WALL_M_S 0.02f
-/* Distance by which the hand's target is nearer to a wall than the ring, above which the hand
+/* Distance from the ring to the hand's target in the direction of a wall, above which the hand
  * counts as pushing the ring toward the wall. At this distance the hand spring (HAND_N_M in poi.c)
  * pushes the ring with 0.9 N. */
 #define WALL_PRESS_M 0.004f

@@ -16,9 +16,10 @@
 #define CAPTURE_FLOAT_SHARE 1.50f
 
 /* Tries to capture fish `index` of the tank. The caller guarantees that the fish is over intact
- * paper and near the paper, and that `poi_index` < POI_MAX. Does nothing if the water is deep
- * enough for the fish or if the poi is too steep. If the poi already carries POI_CARRIED_MAX fish,
- * the fish slips off over the ring instead. `axes` are the poi's axes. */
+ * paper and near the paper, and that `poi_index` < POI_MAX. Does nothing if the water over the
+ * paper is deep enough for the fish to stand upright, or if the poi is too steep. If the poi
+ * already carries POI_CARRIED_MAX fish, the fish slips off over the ring instead. `axes` are the
+ * poi's axes. */
 void capture_fish(struct poi *poi, uint32_t poi_index, const struct basis *axes, struct tank *tank,
                   uint32_t index, uint32_t tick);
 
@@ -68,8 +69,8 @@ bool capture_is_squeezed(const struct poi *poi, const struct fish *fish);
  * the hand is at least 3 cm above the ring (a pull of 6.5 N). */
 bool capture_is_jammed(const struct poi *poi);
 
-/* Returns true if the fish `fish` jams the ring and must leave the poi in this tick.
- * The fish between the disc and the water surface leave from the edge inward. The longer the jam
- * lasts, the more fish leave. After 0.1 s, all fish that touch the ring leave. `axes` are the
- * poi's axes. */
+/* Returns true if the fish `fish` jams the ring and must leave the poi in this tick. A jammed ring
+ * cannot rise, because fish between the ring and the water surface block it. These fish leave from
+ * the edge inward, more fish the longer the jam lasts. After 0.1 s, all fish that touch the ring
+ * leave. `axes` are the poi's axes. */
 bool capture_releases(const struct poi *poi, const struct basis *axes, const struct fish *fish);

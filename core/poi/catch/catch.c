@@ -7,13 +7,13 @@
 #include "core/poi/catch/capture.h"
 #include "core/poi/catch/carried_fish.h"
 
-/* Lower limit of the line tension from which the compliance of the paper is computed. The value is
- * the tension of wet paper under a single fish. */
+/* Lower limit of the line tension (force per width of paper) from which the compliance of the paper
+ * is computed. The value is the tension of wet paper under a single fish. */
 #define SLACK_N_M 1.5f
 /* Acceleration away from the paper above which a fish lifts off the paper. */
 #define LIFT_OFF_M_S2 0.5f
-/* Highest sliding speed of a fish after it landed on the paper, because wet paper absorbs most of
- * its velocity. */
+/* Highest sliding speed of a fish after it landed on the paper. Wet paper absorbs any higher
+ * speed. */
 #define LAND_M_S 0.2f
 #define SLAP_EVERY_TICKS 8u /* Lowest number of ticks between two slap sounds of a poi. */
 #define TEAR_EVERY_TICKS 14u
@@ -48,8 +48,8 @@ static bool time_for(uint32_t *last, uint32_t now, uint32_t every)
 #define CREAK_TICKS 96u
 #define CREAK_TICKS_MIN 48u
 _Static_assert(CREAK_TICKS % CREAK_TICKS_MIN == 0, "slow creaks are tested when fast creaks are");
-/* Danger (result of sheet_warning()) from which the paper creaks, and danger from which the paper
- * creaks faster. */
+/* Danger, the result of sheet_warning(), above which the paper creaks (CREAK_FROM), and above which
+ * it creaks faster (CREAK_FAST_FROM). */
 #define CREAK_FROM 0.3f
 #define CREAK_FAST_FROM 0.7f
 
@@ -94,8 +94,8 @@ static void remove_rider(struct poi *poi, uint32_t which)
 /* Returns true if a falling fish meets the paper from above and the paper supports the fish. Writes
  * the new state of the fish to `lying`. A fish can meet the paper again after a slap threw the fish
  * up, or if the poi rises under the fish. `before_m` is the position of the fish in the previous
- * tick. The function converts each position with the poi's axes of the same tick, and therefore
- * includes the rotation of the poi. */
+ * tick. The function converts the previous position with the poi's previous axes, and therefore
+ * takes a rotation of the poi into account. */
 static bool lands(const struct scoop *scoop, const struct carried_fish *carried, vec3 before_m,
                   struct carried_fish *lying)
 {
@@ -302,8 +302,8 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
         .clear = poi->position_m.y > poi_half_extent_m(poi, axes.up.y),
         .results = results,
     };
-    /* Removes carried fish whose state was changed outside this file, for example at the start of a
-     * new round. */
+    /* Removes each fish from the list of carried fish if other code changed the state of the fish,
+     * for example at the start of a new round. */
     for (uint32_t i = 0; i < poi->carried_count;) {
         const struct fish *fish = &stall->tank->fish[poi->carried_fish[i].fish];
         if (fish->gait == GAIT_HELD && fish->holder == poi_index) {

@@ -21,10 +21,11 @@ _Static_assert(SHEET_SIDE == 32u, "a row is a word");
 #define TEAR_FACTOR 2.5f
 /* Upper limit of the stress factor, reached beside a hole that is 2.56 cells long. */
 #define TEAR_FACTOR_MAX 4.0f
-/* Fraction by which the stress factor is higher along the fibres and lower across the fibres. */
+/* Fraction by which the stress factor is higher for a tear along the fibres, and lower for a tear
+ * across the fibres. */
 #define TEAR_FIBRE_SHARE 0.08f
 #define TEAR_FACTOR_WORST (TEAR_FACTOR_MAX * (1.0f + TEAR_FIBRE_SHARE))
-/* Number of rows above and below a changed hole in which the stress factor can change. */
+/* Number of rows above and below a changed hole in which the stress factors of cells can change. */
 #define TEAR_REACH 3u
 
 struct tear_map {
@@ -63,8 +64,8 @@ uint32_t tear_open_row(struct tear_map *map, struct sheet *sheet, uint32_t row, 
  * until the result is 0. Returns the number of removed cells. */
 uint32_t tear_drop_loose(struct tear_map *map, struct sheet *sheet);
 
-/* Load ratio below which a load counts as 0, because the tenth power of the ratio would be a
- * denormal number. */
+/* Load of a cell (tension divided by strength) below which the load counts as 0, because the tenth
+ * power of the load would be a denormal number. */
 #define STRAIN_NIL 0.02f
 #define STRAIN_EDGE 1.5f /* Stress concentration factor of the cells along the ring. */
 

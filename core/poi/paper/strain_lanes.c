@@ -36,7 +36,8 @@ static inline flanes feet(const struct strain *strain, flanes x_m, float z_m, fl
 static inline flanes holds_n_m(const struct strain *strain, const struct sheet *sheet,
                                uint32_t cell)
 {
-    /* `wet` is the strength of SIMD_LANES wet cells after softening. */
+    /* `wet` is the strength of SIMD_LANES wet cells, which is lower for cells that have been wet
+     * for longer. */
     short_lanes ticks;
     MEM_COPY(&ticks, &sheet->soak_ticks[cell], sizeof ticks);
     const flanes soaked = __builtin_convertvector(__builtin_convertvector(ticks, ilanes), flanes);

@@ -37,7 +37,8 @@ static void measure_holes(struct tear_map *map)
         const uint32_t left = here << 1, left2 = here << 2, right = here >> 1, right2 = here >> 2;
         const uint32_t across = (left & left2) | (left & right) | (right & right2);
         const uint32_t along = (up & up2) | (up & down) | (down & down2);
-        /* Two hole cells that touch at a corner are 2.8 cells long from corner to corner. */
+        /* Two hole cells that touch at a corner are 2.8 cells long from corner to corner, which is
+         * long enough for TEAR_FACTOR_MAX. */
         const uint32_t slant = up << 1 | up >> 1 | down << 1 | down >> 1;
         map->pair[row] = here & (left | right | up | down);
         map->wide[row] = here & (across | along | slant);
@@ -114,8 +115,9 @@ static void find_open_cells(const struct tear_map *map, const struct way *way,
         const uint32_t inside = next < SHEET_SIDE ? map->paper[next] | map->hole[next] : 0u;
         const uint32_t at_ring = map->paper[row] & ~shift_row_word(inside, way->column);
         if (way->row == 0) {
-            /* Extends the open cells along the row, away from the ring, as far as the paper has no
-             * gap. Each pass of the loop doubles the distance. */
+            /* open[row] holds the cells of this row that paper connects to the ring. Extends these
+             * cells along the row, away from the ring, as far as the paper has no gap. Each pass
+             * of the loop doubles the distance. */
             const bool is_right = way->column > 0;
             uint32_t paper = map->paper[row];
             open[row] = at_ring;
@@ -175,12 +177,12 @@ uint32_t tear_drop_loose(struct tear_map *map, struct sheet *sheet)
 #define WICK_M2_S 1.0e-6f
 /* Wetness above which paper becomes softer. Drier paper keeps its strength. */
 #define SOFTENS_FROM 0.5f
-/* Difference of wetness between the two neighbours of a cell at which the wet line counts as fully
- * developed. */
+/* Difference of wetness between the two neighbours of a cell at which the line between wet and dry
+ * paper counts as fully developed. */
 #define LINE_STEP 0.5f
 
-/* Returns the wetness of `other` minus the wetness of `cell`, which drives the wicking. Returns 0
- * if `other` is not paper. */
+/* Returns the wetness of `other` minus the wetness of `cell`, which drives the flow of water
+ * between the two cells. Returns 0 if `other` is not paper. */
 static float creep(const struct sheet *sheet, uint32_t cell, uint32_t other)
 {
     return sheet->state[other] == CELL_PAPER ? sheet->wetness[other] - sheet->wetness[cell] : 0.0f;
@@ -189,8 +191,8 @@ static float creep(const struct sheet *sheet, uint32_t cell, uint32_t other)
 void paper_wetting_tick(struct sheet *sheet, struct sheet_wetting wet)
 {
     CORE_ASSERT(sheet->radius_m > 0.0f);
-    /* Sets `touched` if any point of a disc with the radius of the sheet is under water. This test
-     * takes much less time than a test of each cell. */
+    /* Sets `touched` if any point of the round sheet is under water. This test takes much less time
+     * than a test of each cell. */
     if (-sheet->radius_m * f_sqrt(wet.x * wet.x + wet.z * wet.z) < wet.limit_m) {
         sheet->touched = true;
     }

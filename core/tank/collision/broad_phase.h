@@ -71,7 +71,7 @@ struct broad_phase {
     float way_m[TANK_FISH_MAX];
     /* Distance that a body may move before a new search for nearby fish (query) is due. */
     float reach_m[TANK_FISH_MAX];
-    uint32_t overlap_count;       /* Number of pairs whose bodies overlapped at the last query. */
+    uint32_t overlap_count; /* Number of pairs whose bodies overlapped at the last query. */
     /* Number of pairs of fish that could touch before the next query, including pairs that are
      * missing in a full contact list. */
     uint32_t touch_count;
