@@ -22,10 +22,12 @@ struct reading {
     struct options *options;
     const char *path;
     void (*warn)(const char *line); /* Callback for each invalid line. May be null. */
-    const char *section;      /* Current section, one of section_names. "" means before the first
-                                 section; null means an unknown section. */
-    unsigned line, fish_line; /* Number of the current line, and of the line that set the number of
-                                 fish. */
+    /* Name of the section of the current line, one of section_names. "" means that the line is
+     * before the first section. Null means that the name of the section is unknown. */
+    const char *section;
+    /* Position in the file, counted from 1, of the current line (`line`) and of the line that set
+     * the number of fish (`fish_line`). */
+    unsigned line, fish_line;
     unsigned warning_count;
 };
 
@@ -70,8 +72,9 @@ static void begin_section(struct reading *reading, char *text)
            name);
 }
 
-/* Returns true if the option or setting `key` belongs to the current section. Before the first
- * section every key is accepted. Otherwise reports the line and returns false. */
+/* Returns true if the option or setting `key` may be on the current line, because its section
+ * `section` is the current section or because the line is before the first section. Otherwise
+ * reports the line and returns false. */
 static bool is_here(struct reading *reading, const char *key, const char *section)
 {
     CORE_ASSERT(key && section);
@@ -137,8 +140,9 @@ static void config_file_read_line(struct reading *reading, char *line)
         return;
     }
     if (*key == '\0' || !reading->section) {
-        return; /* An unknown section name was already reported, therefore its lines are skipped
-                   without another report. */
+        /* The unknown name of this section was already reported, therefore the lines of the section
+         * are skipped without further reports. */
+        return;
     }
     const char *value = file_cut_value(key);
     if (!value) {
@@ -170,8 +174,8 @@ static void config_file_read_lines(struct reading *reading, FILE *file)
             config_file_read_line(reading, reading->line == 1 ? file_skip_mark(line) : line);
         }
     }
-    /* The number of fish is checked at the end of the file, because only then is the tank preset
-     * known. */
+    /* The number of fish is checked at the end of the file, because the line that sets the tank
+     * preset may be anywhere in the file. */
     if (options_too_many_fish(reading->options, says)) {
         reading->line = reading->fish_line;
         object(reading, "fish: %s", says);

@@ -2,10 +2,10 @@
  *
  * The file consists of sections in brackets and lines of the form "key = value". A '#' at the start
  * of a line or after white space starts a comment. A key is the name of a setting (core/settings.h)
- * or of an option (option_table.h), and must be in the section of the setting or option. Before the
- * first section every key is accepted, including options that a setting has replaced. Old files
- * without sections therefore remain valid. An invalid line is reported and skipped, because a
- * typing mistake must not prevent the start of the kiosk. */
+ * or of an option (option_table.h). Each key belongs to one section and must be in this section.
+ * However, any key is accepted before the first section, even an old option that a setting has
+ * replaced, so that old files without sections remain valid. An invalid line is reported and
+ * skipped, because a typing mistake must not prevent the start of the kiosk. */
 #pragma once
 
 #include <stdio.h>

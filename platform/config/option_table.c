@@ -117,8 +117,8 @@ static int parse_named(const struct option *option, void *target, int argc, cons
     const bool is_optional = option->value && option->value[0] == '[';
     if (!value && option->value && *index + 1 < argc) {
         const char *next = argv[*index + 1];
-        /* A word such as "-3" is treated as the value of the option. The range check then rejects
-         * the number with a specific error message. */
+        /* A word that begins with one dash, such as "-3", counts as the value of the option. The
+         * range check then rejects the number with a specific error message. */
         if (is_optional ? isdigit((unsigned char)next[next[0] == '-'])
                         : strncmp(next, "--", 2) != 0) {
             value = next;
@@ -174,8 +174,9 @@ static int parse_next(const struct option_table *table, uint32_t groups, void *t
     const char *word = argv[*index];
     const int dash_count = word[0] != '-' ? 0 : word[1] != '-' ? 1 : 2;
     const size_t length = strcspn(word + dash_count, "=");
-    if (dash_count == 0 || word[1] == '\0') { /* The word "-" is an argument that means standard
-                                                 input. */
+    if (dash_count == 0 || word[1] == '\0') {
+        /* A word without a dash is an argument. The word "-" is also an argument, which means
+         * standard input. */
         return parse_word(table, groups, target, word, error);
     }
     const struct option *option = option_table_find(table, word + dash_count, length);
@@ -225,8 +226,8 @@ static void write_left(const struct option *option, char left[OPTION_TEXT_MAX])
              name, name[0] && value[0] ? " " : "", value);
 }
 
-/* Prints the words of `text` from column `column` on, and breaks lines before column COLUMNS. Lines
- * begin at column `indent`. */
+/* Prints the words of `text`, beginning at column `column`, and breaks lines before column COLUMNS.
+ * The second and all later lines begin at column `indent`. */
 static void print_words(const char *text, int column, int indent)
 {
     for (const char *word = text; *word;) {

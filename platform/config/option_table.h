@@ -11,15 +11,17 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Size in bytes of the target of an OPTION_PATH. */
+/* Size in bytes of the array that receives the value of an OPTION_PATH. */
 #define OPTIONS_PATH_MAX 1024u
 /* Size in bytes of the buffer for the error message about an invalid command line. */
 #define OPTIONS_ERROR_MAX 384u
-/* Size in bytes of a text about one option value. The size is at least HAL_TEXT_SIZE because a
- * board may write the text. */
+/* Size in bytes of a text about the value of one option, for example the reason why the value is
+ * wrong. The size is at least HAL_TEXT_SIZE, because a board (the selected set of drivers) may
+ * write the text. */
 #define OPTION_TEXT_MAX 160
 
-/* Kind of an option. The kind determines the type of the target. */
+/* Kind of an option. The kind determines the type of the target, which is the variable that
+ * receives the option's value. */
 enum option_kind {
     OPTION_HEADING = 0, /* The row is not an option but a heading between the options in --help. */
     /* The option has no value. The target is a uint8_t or bool, which is set to 1. */
@@ -47,8 +49,8 @@ struct option {
     const char *value;
     const char *help; /* Text of --help. The range and the default are appended to the text. */
     enum option_kind kind;
-    /* Offset in bytes of the target in the structure `target` that the caller passes to
-     * option_table_parse(). */
+    /* Offset in bytes of the target (the member that receives the value) in the structure that the
+     * caller passes to option_table_parse() as `target`. */
     size_t offset;
     double min, max;
     const char *const *choices; /* The words of an OPTION_CHOICE. The list ends with null. */
@@ -70,14 +72,15 @@ struct option {
     /* Bit set of the subcommands that accept the option. 0 means that all subcommands accept the
      * option. */
     uint32_t groups;
-    /* Section of the option in the configuration file. "" means that a setting has replaced the
-     * option, which old files may still contain before the first section. Null means that no file
-     * may contain the option. */
+    /* Section of the configuration file in which the option is permitted. "" means that a setting
+     * has replaced the option, and that only old files may contain the option, before their first
+     * section. Null means that no file may contain the option. */
     const char *section;
 };
 
-/* Table of options, one row for each option. A table whose `base` is not null also has the rows of
- * the base table. The targets of the base table are at the start of the same structure. */
+/* Table of options, one row for each option. If `base` is not null, the table also has the rows of
+ * the table `base`. The structure that receives the values then begins with the structure of the
+ * table `base`. */
 struct option_table {
     const struct option *options;
     uint32_t count;
@@ -92,8 +95,9 @@ const struct option *option_table_find(const struct option_table *table, const c
                                        size_t length);
 
 /* Parses `value` into the member of `target` that `option` describes. `value` may be null only if
- * the value is optional. Returns true. If the value is wrong, returns false and writes a specific
- * reason to `why`, or "" if the description of the valid values is sufficient. */
+ * the option's value is optional. Returns true if the value is valid. Otherwise returns false and
+ * writes a specific reason to `why`, or "" if the text of option_expects() is sufficient as the
+ * reason. */
 bool option_parse(const struct option *option, void *target, const char *value,
                   char why[OPTION_TEXT_MAX]);
 
@@ -103,8 +107,8 @@ const char *option_expects(const struct option *option, char out[OPTION_TEXT_MAX
 
 /* Writes the defaults of `table` to `target`, and then parses the `argc` words of `argv`, starting
  * with argv[0]. Accepts only options whose `groups` is 0 or has a bit in common with the parameter
- * `groups`. Targets of the type const char * point to `argv`. Returns 0. Returns -1 and writes one
- * line to `error` if the command line is wrong. */
+ * `groups`. Targets of the type const char * point to `argv`. Returns 0 if the command line is
+ * valid. Otherwise returns -1 and writes one line to `error`. */
 int option_table_parse(const struct option_table *table, uint32_t groups, void *target, int argc,
                        const char *const *argv, char error[OPTIONS_ERROR_MAX]);
 

@@ -22,9 +22,9 @@ static bool add_setting(struct options *options, uint32_t id, int32_t value)
     return true;
 }
 
-/* Parses the value of the setting option->id as setting_parse() does and stores the value. The old
- * options of the command line differ from the settings: --mode accepts "choose" for all game modes,
- * but no list of modes; --grade does not accept "own"; and --fish does not accept 0. */
+/* Parses and stores the value of an option that sets the setting option->id. The values are those
+ * of setting_parse(), with three exceptions: --mode accepts "choose" for all game modes, but no
+ * list of modes; --grade does not accept "own"; and --fish does not accept 0. */
 static bool set_one(void *target, const struct option *option, const char *value, char *why)
 {
     int32_t number;

@@ -17,8 +17,8 @@
 #define OPTIONS_DEMO_S_MAX 600u
 #define OPTIONS_MODES_ALL ((1 << CHOICE_COUNT) - 1)
 
-/* Settings from one source, for example the command line. is_set[id] is true if the source sets
- * value[id]. */
+/* Settings from one source, for example the command line. If the source sets the setting `id`,
+ * is_set[id] is true and value[id] is the value. */
 struct options_query_result {
     int32_t value[SETTING_COUNT];
     bool is_set[SETTING_COUNT];
@@ -39,15 +39,17 @@ struct options {
     /* True while values from the configuration file are parsed. False while the command line is
      * parsed. */
     bool is_file;
-    struct options_query_result machine; /* Settings from the machine's locale. */
-    struct options_query_result file;    /* Settings from the configuration file. */
-    struct options_query_result words;   /* Settings from the command line. */
-    uint8_t keyboard;                    /* Keyboard mode (enum board_keyboard). */
+    /* Settings that follow from the machine's locale, for example the language. */
+    struct options_query_result machine;
+    struct options_query_result file;  /* Settings from the configuration file. */
+    struct options_query_result words; /* Settings from the command line. */
+    uint8_t keyboard;                  /* Keyboard mode (enum board_keyboard). */
     uint8_t usb_count, line_count;
     /* USB controllers, each "VVVV:PPPP" or "VVVV:PPPP:SERIAL". */
     char usb[BOARD_USB_MAX][BOARD_USB_SIZE];
     char line[BOARD_LINE_MAX][BOARD_LINE_SIZE]; /* GPIO line options, each "ROLE=LINE[,WORD...]". */
-    /* Path of the recording to write. "" means not set, as in all path fields of the structure. */
+    /* Path of the recording to write. In all path fields of the structure, "" means that the path
+     * is not set. */
     char record[OPTIONS_PATH_MAX];
     char replay[OPTIONS_PATH_MAX];
     char shots[OPTIONS_PATH_MAX];
@@ -70,8 +72,8 @@ extern const char *const options_level_names[];
 extern const struct option_table options_table;
 
 /* Parses `argv` into `options`, starting with argv[1]. Options that `argv` does not contain keep
- * their values. Returns 0. Returns -1 and writes one line to `error` if an option is invalid, or if
- * the tank cannot hold the number of fish. The order of the options has no effect. */
+ * their values. The order of the options has no effect. Returns 0. Returns -1 and writes one line
+ * to `error` if an option is invalid, or if the tank cannot hold the number of fish. */
 int options_parse(struct options *options, int argc, const char *const *argv,
                   char error[OPTIONS_ERROR_MAX]);
 
@@ -84,9 +86,9 @@ bool options_wires_clash(const struct options *options, char says[OPTION_TEXT_MA
  * otherwise the command line. */
 bool options_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX]);
 
-/* Sets the initial settings, which the operator's menu may change later. The value of a setting in
- * the configuration file is preferred, then the value of the machine's locale, and then the
- * default. */
+/* Sets the initial settings, which the operator's menu may change later. Each setting gets its
+ * value from the configuration file if the file has one, otherwise from the machine's locale,
+ * otherwise the default. */
 void options_first(const struct options *options, struct settings *settings);
 
 /* Overrides the values in `settings` with the settings that the command line sets. */

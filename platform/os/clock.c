@@ -27,7 +27,8 @@ void clock_civil(const struct tm *date, uint16_t *day, uint16_t *minute)
     CORE_ASSERT(day && minute);
     *day = *minute = 0;
     if (date->tm_year + 1900 >= CLOCK_FIRST_YEAR && date->tm_year + 1900 <= CLOCK_LAST_YEAR) {
-        /* The date is read as UTC, so that the zone of the local time does not change the day. */
+        /* timegm() takes the local date as a date in UTC, so that the time zone does not change the
+         * number of the day. */
         struct tm utc = { .tm_year = date->tm_year,
                           .tm_mon = date->tm_mon,
                           .tm_mday = date->tm_mday };

@@ -15,9 +15,10 @@
 
 /* ---- Regular files --------------------------------------------------------------------------- */
 
-/* Opens a file and accepts only a regular file. Truncates the file for O_TRUNC after the check.
- * Reads the file type from the open descriptor, so that no other file can take its place between
- * the check and the use. Returns a descriptor, or -1 with errno set. */
+/* Opens a regular file and rejects any other type of file. The file type is read from the open
+ * descriptor, so that no other file can replace the file between the check and the use. If `flags`
+ * has O_TRUNC, the file is truncated after the check. Returns a descriptor, or -1 with errno
+ * set. */
 static int open_regular(int folder, const char *path, int flags, mode_t mode)
 {
     struct stat about = { 0 };
@@ -79,7 +80,8 @@ int file_give_at(int folder, const char *path, uid_t owner, gid_t group, mode_t 
     return result;
 }
 
-/* Open file with a read limit. `left` is the number of bytes that may still be read. */
+/* Open file of which only a limited number of bytes may be read. `left` is the number of bytes that
+ * may still be read. */
 struct bounded {
     int handle;
     uint32_t left;
@@ -153,8 +155,9 @@ const char *file_error(int error)
 
 /* ---- Lines ----------------------------------------------------------------------------------- */
 
-/* Maximum number of bytes that are skipped after the start of a bad line, because a file of the
- * kernel may have no end. The rest of a longer line is read as the next line. */
+/* Maximum number of bytes that are skipped after the start of a bad line. The number is limited
+ * because a file of the kernel may be endless. If the bad line is longer, its rest is read as the
+ * next line. */
 #define SKIP_MAX (1u << 20)
 
 enum file_line file_read_line(FILE *file, char *line, size_t size)
@@ -350,7 +353,7 @@ static int open_any(struct atomic_file *out, const char *path, bool lasts)
         return error;
     }
     if (mode == 0 || S_ISREG(mode)) {
-        /* A file without write permission must not be replaced. */
+        /* A file that the user may not write must not be replaced either. */
         if (mode != 0 && access(out->place, W_OK) != 0) {
             return -errno;
         }
@@ -364,8 +367,8 @@ static int open_any(struct atomic_file *out, const char *path, bool lasts)
     } else if (lasts || !(S_ISCHR(mode) || S_ISFIFO(mode))) {
         return S_ISDIR(mode) ? -EISDIR : -ENOTSUP;
     } else {
-        /* The path is a character device or a pipe. If the pipe has no reader, the open fails with
-         * ENXIO instead of blocking. */
+        /* The path is a character device or a pipe. With O_NONBLOCK, open() fails with ENXIO
+         * instead of blocking if the pipe has no reader. */
         out->is_stream = true;
         fd = open(out->place, O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
         if (fd < 0) {
@@ -391,12 +394,13 @@ int file_atomic_open_durable(struct atomic_file *out, const char *path)
     return open_any(out, path, true);
 }
 
-/* Closes the stream. Returns 0, or the negative errno of the stream's first error. The first error
- * is stored and returned at the close, because a disk may be full at any byte. */
+/* Closes the stream. Returns 0, or the negative errno of the first error since the stream was
+ * opened. An error of any write is returned here, so that the caller need not check each write. */
 int file_atomic_close(struct atomic_file *out)
 {
     CORE_ASSERT(out->file);
-    /* If the write failed, errno is still set, because successful calls do not change errno. */
+    /* If a write failed, errno still has the reason, because successful calls do not change
+     * errno. */
     int why = ferror(out->file) ? (errno ? errno : EIO) : 0;
     if (fflush(out->file) != 0 && why == 0) {
         why = errno;

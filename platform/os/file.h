@@ -13,8 +13,8 @@
 
 /* ---- Regular files --------------------------------------------------------------------------- */
 
-/* Read limit in bytes for kernel files in /proc and /sys. These files have a size of a few memory
- * pages. */
+/* Maximum number of bytes to read from a file of the kernel in /proc or /sys. These files have at
+ * most a few memory pages. */
 #define FILE_KERNEL_SIZE_MAX (1u << 20)
 
 /* Opens a file for reading. The path comes from the user, therefore symbolic links are followed.
@@ -72,8 +72,8 @@ enum file_line {
  * at least 2. `line` is unchanged if the result is FILE_LINE_END. */
 enum file_line file_read_line(FILE *file, char *line, size_t size);
 
-/* Returns the first character after the byte-order mark (U+FEFF in UTF-8) at the start of `text`.
- * Returns `text` if there is no mark. Some editors write the mark at the start of a file. */
+/* Skips the byte-order mark (U+FEFF in UTF-8), which some editors write at the start of a file.
+ * Returns the first character of `text` after the mark, or `text` if there is no mark. */
 char *file_skip_mark(char *text);
 
 /* Removes white space at both ends of `text`, in place. Returns the first remaining character. */
@@ -84,8 +84,8 @@ char *file_trim(char *text);
  * '#'. Returns the first remaining character. */
 char *file_trim_comment(char *line);
 
-/* Splits "KEY = VALUE" at the first '=', in place. Removes the white space behind the key. Returns
- * the value without the white space around it, or null if the text has no '='. */
+/* Splits the text "KEY = VALUE" at `key` in place, at the first '='. Removes the white space behind
+ * KEY. Returns VALUE without the white space around it, or null if the text has no '='. */
 char *file_cut_value(char *key);
 
 /* Reads the first line of the file `path`, which is usually a file of the kernel. Writes "" if the
@@ -123,8 +123,9 @@ int file_atomic_close(struct atomic_file *out);
 
 /* Flags of file_replace(). */
 enum file_replace_flag {
-    FILE_REPLACE_DURABLE = 1, /* The function blocks until the content and the name are on disk. */
-    FILE_REPLACE_PUBLIC = 2,  /* All users can read the new file, independent of the umask. */
+    /* file_replace() blocks until the content and the name are on disk. */
+    FILE_REPLACE_DURABLE = 1,
+    FILE_REPLACE_PUBLIC = 2, /* All users can read the new file, independent of the umask. */
 };
 
 /* Replaces the file or symbolic link `path` by a regular file with `size` bytes of content. Writes

@@ -8,14 +8,16 @@
 #include "core/base/panic.h"
 #include "core/base/printable.h"
 
-#define MALFORMED "\xEF\xBF\xBD" /* U+FFFD, the replacement character. */
-/* Size of one escaped character: at most six bytes and a terminating zero. */
+/* U+FFFD, the character that replaces a byte that is not valid UTF-8. */
+#define MALFORMED "\xEF\xBF\xBD"
+/* Size in bytes of the buffer for one escaped character: at most six bytes and a terminating
+ * zero. */
 #define CHAR_SIZE 7u
-#define NAME_SIZE 32u /* Maximum size of a key in the format of json_print(). */
+#define NAME_SIZE 32u /* Maximum size in bytes of a key in the argument `format` of json_print(). */
 
-/* Writes the first character of `words` in escaped form to `out`. A quote or a backslash is copied,
- * and the caller writes the backslash before it. Returns the size of the unescaped character in
- * bytes. */
+/* Writes the first character of `words` to `out`, in escaped form if necessary. A quote or a
+ * backslash is copied without the escaping backslash, which the caller writes. Returns the size in
+ * bytes of the character in `words`. */
 static uint32_t escape(const char *words, char out[CHAR_SIZE])
 {
     const uint32_t size = printable_utf8_size(words);
@@ -62,7 +64,8 @@ static void put_words(struct json *json, const char *words)
     put_json_text(json, "\"");
 }
 
-/* Writes the text before an element: the comma, the line break or the blank, and the key. */
+/* Writes the text that precedes the value of an element: the comma, the line break or the blank,
+ * and the key. */
 static void begin_json_element(struct json *json, const char *key)
 {
     CORE_ASSERT(json->file || json->buffer);
@@ -126,8 +129,8 @@ void json_text(struct json *json, const char *key, const char *words)
     put_words(json, words);
 }
 
-/* Writes the value of the conversion at the start of `format`. Returns the end of the
- * conversion. */
+/* Writes the next argument as the conversion (such as %u) at the start of `format` requires.
+ * Returns the position in `format` after the conversion. */
 static const char *put_conversion(struct json *json, const char *key, const char *format,
                                   va_list *arguments)
 {

@@ -1,9 +1,9 @@
 /* json.h -- writes JSON documents to a stream or to a buffer.
  *
- * The writer places the commas between the elements. Text from outside the program, for example the
+ * The module writes the commas between the elements. Text from outside the program, for example the
  * name of a file or a device, may contain any byte: quotes, backslashes and all characters that
  * core/base/printable.h rejects are escaped, and U+FFFD replaces each byte that is not valid UTF-8.
- * A null `key` is passed for the elements of an array and for the document itself. */
+ * Callers pass a null `key` for the elements of an array and for the document itself. */
 #pragma once
 
 #include <stdbool.h>
@@ -17,7 +17,7 @@
 struct json {
     FILE *file;   /* Stream that receives the document, or null. */
     char *buffer; /* Buffer that receives the document with a terminating zero. */
-    size_t size;  /* Size of `buffer` in bytes. Asserts that the document fits. */
+    size_t size;  /* Size of `buffer` in bytes. A document that does not fit fails an assertion. */
     size_t used;  /* Number of bytes that were written to `buffer`. */
     /* True if the current object or array already has an element, so that the next element needs a
      * comma. */
@@ -27,10 +27,10 @@ struct json {
     uint8_t indent;
 };
 
-/* Begins an object, with `bracket` '{', or an array, with '['. */
+/* Begins an object if `bracket` is '{', or an array if `bracket` is '['. */
 void json_open(struct json *json, const char *key, char bracket);
 
-/* Ends the current object or array with `bracket` '}' or ']'. */
+/* Ends the current object (`bracket` is '}') or array (`bracket` is ']'). */
 void json_close(struct json *json, char bracket);
 
 /* Places the next element or closing bracket on a line of its own, after `indent` blanks. */
@@ -46,9 +46,9 @@ __attribute__((format(printf, 3, 4))) void json_value(struct json *json, const c
  *
  * The conversions are those of printf(): %u, %d, %llu, %zu, %.Nf and %.Ng write a number, %s writes
  * a string, %016llx writes a string of 16 hexadecimal digits, and %hhd writes true or false. N has
- * one digit. A %.Nf or %.Ng that is NaN writes null. A line break, followed by blanks, places the
- * next element or closing bracket on a line of its own after as many blanks. Commas and other
- * blanks have no effect. */
+ * one digit. For %.Nf and %.Ng, the value NaN is written as null. A line break in `format` that is
+ * followed by blanks places the next element or closing bracket on a line of its own, after the
+ * same number of blanks. Commas and other blanks in `format` have no effect. */
 __attribute__((format(printf, 2, 3))) void json_print(struct json *json, const char *format, ...);
 
 /* Writes true or false. */

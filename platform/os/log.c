@@ -18,7 +18,9 @@ static bool has_journal; /* True if the systemd journal reads standard error. Se
 
 void log_open(void)
 {
-    const char *journal = getenv("JOURNAL_STREAM"); /* The journal's "DEVICE:INODE", or null. */
+    /* JOURNAL_STREAM has the text "DEVICE:INODE" of the stream that the journal reads. Null means
+     * that there is no journal. */
+    const char *journal = getenv("JOURNAL_STREAM");
     char here[64];
     struct stat about;
     has_journal = false;

@@ -4,7 +4,7 @@
  * sd-daemon(3)). On a terminal and in a file there is no priority. */
 #pragma once
 
-/* Size of a log line in bytes, enough for a path and a reason. Longer lines are cut. */
+/* Maximum size of a log line in bytes, enough for a path and a reason. Longer lines are cut. */
 #define LOG_LINE_MAX 1536u
 
 /* Priorities with the numbers of syslog(3). */
@@ -24,8 +24,8 @@ void log_open(void);
  * May be called on any thread. */
 __attribute__((format(printf, 2, 3))) void log_print(enum log_level level, const char *format, ...);
 
-/* Writes one line as log_print() does, and evaluates to `code`, the exit code that the caller
- * returns. */
+/* Writes one line as log_print() does. The value of the expression is `code`, the exit code that
+ * the caller returns. */
 #define log_fail(code, ...) (log_print(__VA_ARGS__), (code))
 
 /* Writes the text `words` as one line, without formatting. Async-signal-safe. */

@@ -30,9 +30,10 @@ bool number_parse(const char *text, uint32_t min, uint32_t max, uint32_t *out)
 bool number_parse_decimal(const char *text, double min, double max, double *out)
 {
     CORE_ASSERT(out || !text);
-    static locale_t plain; /* The locale "C", whose decimal point is a point. */
+    static locale_t plain; /* The locale "C", in which the decimal separator is a point. */
     char *end;
-    /* The set of characters excludes blanks, hexadecimal numbers, infinity and NaN. */
+    /* These characters exclude texts that strtod() would also accept: blanks, hexadecimal numbers,
+     * infinity and NaN. */
     if (!text || text[0] == '\0' || strlen(text) > DECIMAL_MAX ||
         text[strspn(text, "0123456789+-.eE")] != '\0') {
         return false;

@@ -12,8 +12,8 @@
 #include "core/base/printable.h"
 #include "platform/os/log.h"
 
-/* Maximum time in milliseconds that a second panicking thread waits for the first thread's report.
- * The sync of a slow card may take seconds. */
+/* Maximum time in milliseconds for which a second panicking thread waits until the first thread has
+ * written its report. Writing to a slow card may take seconds. */
 #define OTHER_WAIT_MS 5000
 
 typedef void (*wish_function)(void *self, const char *reason);
@@ -68,9 +68,9 @@ void panic_put_end(struct panic_text *text)
 
 /* ---- Panic handler -------------------------------------------------------------------------- */
 
-/* Reports a panic. Only the first panic is handled. A second thread that panics waits while the
- * first thread writes its report. A panic inside the panic handler returns immediately, so that the
- * process ends. */
+/* Reports a panic. Only the first panic is reported. If a second thread panics, it waits while the
+ * first thread writes its report. If the panic handler itself panics, the function returns
+ * immediately, so that the process ends. */
 void panic_report(const char *reason)
 {
     int first = 0;
@@ -96,7 +96,8 @@ static void on_fatal(int number)
     }
     panic_report(name);
     signal(number, SIG_DFL);
-    raise(number); /* The raised signal is delivered after the signal handler has returned. */
+    /* The raised signal is delivered when this signal handler returns. It then ends the process. */
+    raise(number);
 }
 
 void panic_prepare(void (*handler)(void *self, const char *reason), void *self)

@@ -14,11 +14,11 @@
 #define PANIC_STACK_SIZE (64u * 1024u)
 
 /* Installs the signal handlers. The calling thread gets a separate signal stack, because its normal
- * stack may have overflowed. thread_start() gives one to each other thread, and audio.c to SDL's
- * audio thread. `handler` is the panic handler. It is called with `self` and with the reason, which
- * is "FILE:LINE: not so: CONDITION" or the name of the signal. The panic handler must report the
- * reason and may call async-signal-safe functions only. If `handler` is null, panic_report() writes
- * one line to standard error. */
+ * stack may have overflowed when a signal arrives. The other threads get their signal stacks from
+ * thread_start(), and SDL's audio thread from audio.c. `handler` is the panic handler. It is called
+ * with `self` and with the reason, which is "FILE:LINE: not so: CONDITION" or the name of the
+ * signal. The panic handler must report the reason and may call async-signal-safe functions only.
+ * If `handler` is null, panic_report() writes one line to standard error. */
 void panic_prepare(void (*handler)(void *self, const char *reason), void *self);
 
 /* Calls the panic handler that panic_prepare() has installed, or writes one line if there is no
@@ -27,7 +27,7 @@ void panic_report(const char *reason);
 
 /* ---- Text: async-signal-safe ----------------------------------------------------------------- */
 
-#define PANIC_TEXT_MAX 1536u /* Size of a line in bytes. Longer text is cut. */
+#define PANIC_TEXT_MAX 1536u /* Maximum size of a line in bytes. Longer text is cut. */
 
 /* Buffer for one line of text. A structure of zeros is an empty line. */
 struct panic_text {

@@ -1,5 +1,6 @@
-/* png.c -- encodes PNG with stb_image_write. The module itself writes the encoded bytes to the
- * file, so that a full disk is reported with its errno. */
+/* png.c -- encodes PNG with stb_image_write. The encoded bytes are written to the file by this
+ * module and not by stb_image_write, so that an error such as a full disk is reported with its
+ * errno. */
 #include "platform/os/png.h"
 
 #include <errno.h>

@@ -19,7 +19,9 @@ __attribute__((format(printf, 3, 0))) static void print_put(FILE *file, const ch
     vsnprintf(line, sizeof line - 1u, format, arguments);
     printable(line);
     CORE_ASSERT(strlen(end) <= 1);
-    memcpy(line + strlen(line), end, strlen(end) + 1u); /* `line` has space for one more byte. */
+    /* vsnprintf() was given one byte less than the size of `line`, so that a line end of one byte
+     * fits. */
+    memcpy(line + strlen(line), end, strlen(end) + 1u);
     fputs(line, file);
 }
 
@@ -44,9 +46,9 @@ void print_line(FILE *file, const char *format, ...)
 static int output_error; /* errno of the first failed write to standard output, or 0 if no write
                             failed. */
 
-/* Write function of `stdout`, which stores the reason of a failed write. The C library writes a
- * full buffer within any printf() call, drops the buffer if the write fails, and does not store the
- * reason. */
+/* Write function of `stdout`, which stores the reason of a failed write in `output_error`. The C
+ * library itself does not store the reason: it writes a full buffer within any printf() call, and
+ * drops the buffer if the write fails. */
 static ssize_t write_output(void *cookie, const char *bytes, size_t size)
 {
     (void)cookie;
@@ -61,9 +63,9 @@ int print_open_streams(void)
         if (fcntl(fd, F_GETFD) >= 0) {
             continue;
         }
-        /* Opens /dev/null for writing as standard input, and for reading as standard output or
-         * standard error. Each read or write on the descriptor therefore fails. open() returns the
-         * lowest free descriptor, which is `fd`. */
+        /* Standard input is opened for writing only, and standard output and standard error are
+         * opened for reading only, so that each read or write on the descriptor fails. open()
+         * returns the lowest free descriptor, which is `fd`. */
         const int opened = open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
         if (opened != fd) {
             return opened < 0 ? -errno : -EIO;

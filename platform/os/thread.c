@@ -14,12 +14,13 @@
 struct thread_begin {
     void *(*run)(void *self);
     void *self;
-    sem_t is_copied; /* Posted when the new thread has copied the parameters. */
+    sem_t is_copied; /* Semaphore that the new thread posts when it has copied the parameters. */
 };
 
-/* Runs a thread. The signal stack is at the base of the thread's own stack, the end that an
- * overflow does not reach. The number of threads therefore has no limit here. The signal stack is
- * removed at the end, because the address sanitizer unmaps the signal stack of a thread that
+/* Start function of each new thread: installs a signal stack and calls the thread's function `run`.
+ * The signal stack `memory` is part of the thread's own stack, at the end that an overflow does not
+ * reach, so that no table of signal stacks limits the number of threads. The former signal stack is
+ * restored at the end, because the address sanitizer unmaps the signal stack of a thread that
  * ends. */
 static void *run_with_signal_stack(void *parameters)
 {
@@ -49,7 +50,9 @@ int thread_start(pthread_t *thread, void *(*run)(void *self), void *self)
     sem_init(&begin.is_copied, 0, 0);
     pthread_sigmask(SIG_SETMASK, &all, &before);
     const int error = pthread_create(thread, NULL, run_with_signal_stack, &begin);
-    while (!error && sem_wait(&begin.is_copied) != 0) { /* EINTR is the only possible error. */
+    while (!error && sem_wait(&begin.is_copied) != 0) {
+        /* The wait is repeated after an interruption by a signal (EINTR), which is the only
+         * possible error. */
     }
     sem_destroy(&begin.is_copied);
     pthread_sigmask(SIG_SETMASK, &before, NULL);

@@ -39,8 +39,8 @@
 #include "core/input.h"
 #include "core/game/lab/lab_edit.h"
 
-/* Maximum size of the serialized initial state in bytes. Full leaderboards with all audits take
- * two thirds of this size. */
+/* Maximum size of the serialized initial state in bytes. Full leaderboards with all audits (the
+ * operator's counters) take two thirds of this size. */
 #define REPLAY_INITIAL_STATE_MAX (16u * 1024u)
 
 /* Maximum size of a catalog in bytes. Eight species and fifteen graphs take 25 KB. */
@@ -67,8 +67,8 @@
 
 #define REPLAY_CONTROLLERS_BYTES (CONTROLLER_MAX + 4u)
 
-/* Maximum size in bytes of the machine's state in one tick: the mask of the group, two ids of saved
- * data, the byte of flags, the day, the minute, and the numbers of dropped ticks, faults and
+/* Maximum size in bytes of the machine state in the input of one tick: a mask byte, two ids of
+ * saved data, a byte of flags, the day, the minute, and the numbers of dropped ticks, faults and
  * completed tickets. */
 #define REPLAY_MACHINE_BYTES (1u + 2u * 4u + 1u + 2u * 2u + 3u * 4u)
 
@@ -77,8 +77,9 @@
  * fan has a mask byte, a status byte and three floats. */
 #define REPLAY_POSE_BYTES                                                                          \
     (1u + POI_MAX * (1u + 1u + 6u * 4u + 2u) + SHADE_MAX * (1u + 1u + 3u * 4u))
-/* Maximum size in bytes of one tick: mask, held and pressed buttons, coins of each line, the
- * machine's state, the controllers' mask and bytes, the poses and the digest. */
+/* Maximum size in bytes of the input of one tick: a mask byte, held and pressed buttons, coins of
+ * each line, the machine state, the controllers' mask and bytes, the poses and the digest (a
+ * checksum of the core's state). */
 #define REPLAY_TICK_SIZE_MAX                                                                       \
     (1u + (2u + COIN_LINE_COUNT) * 4u + REPLAY_MACHINE_BYTES + 2u + REPLAY_CONTROLLERS_BYTES +     \
      REPLAY_POSE_BYTES + 4u)
@@ -96,15 +97,17 @@
 /* Parsed content of the header and the initial state. */
 struct replay_header {
     struct core_config config;
-    /* Format version of the file: REPLAY_VERSION_MIN .. REPLAY_VERSION. If the reader rejects the
-     * version, `version` is the rejected number. 0 if the file is not a recording. */
+    /* Format version of the file: REPLAY_VERSION_MIN .. REPLAY_VERSION. If the reader has rejected
+     * the file because of its version, `version` is the rejected version. 0 means that the file is
+     * not a recording. */
     uint32_t version;
     /* KINGYO_VERSION of the program that wrote the recording. Zero-terminated. */
     char program[REPLAY_PROGRAM_SIZE];
 };
 
-/* Hash that a recording contains for a tick that a panic interrupted. Such a tick has no complete
- * state, so core_hash() cannot be computed. Only a reader with `as_is` interprets 0 in this way. */
+/* Value that a recording contains in place of core_hash() for a tick that a panic interrupted. Such
+ * a tick has no complete state, so core_hash() cannot be computed. Only a reader whose field
+ * `as_is` is true gives this meaning to 0. */
 #define REPLAY_HASH_NONE 0u
 
 /* Totals of a recording, counted from its start to the end of a chunk or to the end of the
@@ -132,17 +135,18 @@ size_t replay_initial_state_encode(const struct core_config *config,
                                    uint8_t out[REPLAY_INITIAL_STATE_MAX]);
 
 /* Parses exactly `size` bytes, which may have any content, in format `version` (REPLAY_VERSION_MIN
- * .. REPLAY_VERSION). Leaves the catalog and the lanes of `config` unchanged. Sets fields that
- * `version` lacks to 0. Sets the rules of an older format. Returns true on success. Returns false
- * and leaves an invalid `config` if no recorder writes these bytes. */
+ * .. REPLAY_VERSION). Leaves the catalog and the lanes of `config` unchanged. Sets fields that the
+ * format lacks to 0. For an older format, sets config->rules to the rules of that format. Returns
+ * true on success. If no recorder could have written these bytes, returns false, and `config` is
+ * invalid. */
 bool replay_initial_state_decode(struct core_config *config, const uint8_t *bytes, size_t size,
                                  uint32_t version);
 
 /* Writes the catalog to `out`. Returns the number of bytes. Returns 0 for an empty catalog. */
 size_t replay_catalog_encode(const struct lab_book *book, uint8_t out[REPLAY_CATALOG_MAX]);
 
-/* Parses exactly `size` bytes, which may have any content. Returns true. Returns false and empties
- * `book` if the bytes are not a valid catalog for the species of this program. */
+/* Parses exactly `size` bytes, which may have any content. Returns true on success. If the bytes
+ * are not a valid catalog for the species of this program, empties `book` and returns false. */
 bool replay_catalog_decode(struct lab_book *book, const uint8_t *bytes, size_t size);
 
 /* ---- Codec (replay_codec.c), pure functions ------------------------------------------------ */
@@ -157,7 +161,7 @@ size_t replay_encode_input(const struct input *before, const struct input *input
  * fans whose poses are NaN or infinite, although the core panics for these values. */
 size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size, bool as_is);
 
-/* Returns true if the totals `a` and `b` are equal, apart from ticks and hash. */
+/* Returns true if the totals `a` and `b` are equal in all fields except `ticks` and `hash`. */
 bool replay_totals_agree(const struct replay_totals *a, const struct replay_totals *b);
 
 /* ---- Writer (replay_writer.c) -------------------------------------------------------------- */
@@ -168,7 +172,8 @@ struct replay_writer {
      * recording goes to a file. */
     uint8_t *memory;
     size_t memory_size;
-    int error;       /* errno of the failure that ended the recording. 0 means no failure. */
+    /* The errno value of the failure that ended the recording. 0 means no failure. */
+    int error;
     uint64_t offset; /* Offset of the end mark from the start of the recording, in bytes. */
     uint64_t sum;    /* Checksum at the end of the last complete chunk. */
     struct input last;
@@ -181,25 +186,26 @@ struct replay_writer {
     uint8_t bytes[REPLAY_BUFFER_SIZE];
 };
 
-/* Starts a recording in the file `path`, with a digest in each tick. `first_hash` is core_hash() of
- * the new core. Returns 0 on success. Returns -EEXIST if the file exists and is not empty, or
- * another negative errno after an error. After an error, no file is open. */
+/* Starts a recording in the file `path`, with a digest (a checksum of the core's state) in each
+ * tick. `first_hash` is core_hash() of the new core. Returns 0 on success. Returns -EEXIST if the
+ * file exists and is not empty, or another negative errno after an error. After an error, no file
+ * is open. */
 int replay_create(struct replay_writer *writer, const char *path, const struct core_config *config,
                   uint64_t first_hash);
 
-/* Starts a recording in the caller's memory, with a digest in each second. `memory` must outlive
- * the recording. Returns 0, or -ENOSPC if the header does not fit. If the memory is full later, the
- * recording ends as on a full disk. */
+/* Starts a recording in the caller's memory, with a digest (a checksum of the core's state) in each
+ * second. `memory` must outlive the recording. Returns 0, or -ENOSPC if the header does not fit. If
+ * the memory is full later, the recording ends as on a full disk. */
 int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
                      const struct core_config *config, uint64_t first_hash);
 
 /* Returns true while the writer accepts ticks. */
 bool replay_is_open(const struct replay_writer *writer);
 
-/* Adds one tick. The last tick of each second writes a chunk. `digest` is used only if
- * replay_wants_digest() returns true, and `totals->hash` only if replay_wants_hash() returns true.
- * A failed write ends the recording and sets `error`. The file then ends with the last complete
- * second. */
+/* Adds one tick. If the tick is the last of a second, writes a chunk to the file. `digest` is used
+ * only if replay_wants_digest() returns true, and `totals->hash` only if replay_wants_hash()
+ * returns true. A failed write ends the recording and sets `error`. The file then ends with the
+ * last complete second. */
 void replay_add(struct replay_writer *writer, const struct input *input, uint32_t digest,
                 const struct replay_totals *totals);
 
@@ -213,11 +219,11 @@ bool replay_wants_hash(const struct replay_writer *writer);
 int replay_finish(struct replay_writer *writer, uint64_t hash);
 
 /* Writes a recording in memory to the descriptor `fd` as if the recording had ended with the newest
- * tick. `memory` must be the buffer that was passed to replay_create_in(), because a full recording
- * has cleared writer->memory. `hash` is core_hash() of the current state. If `is_torn` is true, a
- * signal interrupted a change of the writer, and only complete seconds are written. The writer
- * cannot be used afterwards. Async-signal-safe. Returns 0 on success, -ENODATA if nothing was
- * recorded, or another negative errno. */
+ * tick. `memory` must be the buffer that was passed to replay_create_in(). (writer->memory is null
+ * after the buffer became full.) `hash` is core_hash() of the current state. Pass true as `is_torn`
+ * if a signal interrupted a function of the writer. Then only complete seconds are written. The
+ * writer cannot be used afterwards. Async-signal-safe. Returns 0 on success, -ENODATA if nothing
+ * was recorded, or another negative errno. */
 int replay_dump(struct replay_writer *writer, const uint8_t *memory, uint64_t hash, bool is_torn,
                 int fd);
 
@@ -244,20 +250,23 @@ struct replay_reader {
      * recording comes from a file. */
     const uint8_t *memory;
     size_t memory_size;
-    /* Offset of the next part from the start of the recording, in bytes. If replay_open() or
-     * replay_open_in() fails, 0 means that the header's checksum was not verified, and
-     * REPLAY_HEADER_SIZE means that the checksum is correct but the header or the initial state is
-     * invalid. A larger value means that only the catalog is invalid. */
+    /* Offset of the next part of the recording from its start, in bytes. After a failure of
+     * replay_open() or replay_open_in(), the offset shows what is invalid. 0 means that the
+     * header's checksum was not verified. REPLAY_HEADER_SIZE means that this checksum is correct,
+     * but the header or the initial state is invalid. A larger value means that only the catalog is
+     * invalid. */
     uint64_t offset;
     uint64_t sum;
     struct replay_header header;
-    struct replay_totals totals; /* Totals of the current chunk or of the end mark. */
+    /* Totals from the start of the recording to the end of the current chunk or to the end mark. */
+    struct replay_totals totals;
     struct input input;
     uint32_t digest_ticks;
     bool has_digest; /* True if the tick that replay_next() returned last has a digest. */
     uint32_t digest;
-    uint32_t tick;       /* Number of ticks that replay_next() has returned so far. */
-    uint32_t chunk_left; /* Number of ticks in the current chunk that are not yet returned. */
+    uint32_t tick; /* Number of ticks that replay_next() has returned so far. */
+    /* Number of ticks in the current chunk that replay_next() has not returned yet. */
+    uint32_t chunk_left;
     size_t payload_size, payload_used;
     bool ended;
     /* True to accept recorded poses of fans that are NaN or infinite (parameter `as_is` of
@@ -276,9 +285,10 @@ int replay_open(struct replay_reader *reader, const char *path);
  * `memory` must outlive the reader. */
 int replay_open_in(struct replay_reader *reader, const uint8_t *memory, size_t size);
 
-/* Reads the next tick. Returns 1 and sets `input`. If has_digest is 1, also sets reader->digest.
- * Returns 0 at the end mark. Returns -1 and sets reader->problem if the recording is invalid. If
- * reader->chunk_left is 0 after a tick, reader->totals contains the totals after that tick. */
+/* Reads the next tick. Returns 1 and sets `input` and reader->has_digest. If reader->has_digest is
+ * true, also sets reader->digest. Returns 0 at the end mark. Returns -1 and sets reader->problem if
+ * the recording is invalid. If reader->chunk_left is 0 after a tick, reader->totals contains the
+ * totals after that tick. */
 int replay_next(struct replay_reader *reader, struct input *input);
 
 /* Closes the recording without reading the rest. */

@@ -32,9 +32,9 @@
 
 enum {
     HAS_HELD = 1u << 0,
-    HAS_PRESSED = 1u << 1, /* Mask bit of the pressed buttons. 0 means that no button was pressed in
-                              the tick, and 0 in the bit HAS_COINS means that no coin was inserted
-                              in the tick. */
+    /* Mask bit of the pressed buttons. If this bit is 0, no button was pressed in the tick.
+     * Likewise, if HAS_COINS is 0, no coin was inserted in the tick. */
+    HAS_PRESSED = 1u << 1,
     HAS_COINS = 1u << 2,
     HAS_MACHINE = 1u << 3,
     HAS_HANDS = 1u << 4,
@@ -62,9 +62,9 @@ enum {
 };
 
 enum {
-    CONTROLLERS_STEP =
-        CONTROLLER_MAX, /* Index of the learn wizard's step in the byte array of the group.
-                                   The array begins with one state byte for each controller. */
+    /* Index of the learn wizard's step in the bytes of struct controller_status. The struct
+     * begins with one state byte for each controller. */
+    CONTROLLERS_STEP = CONTROLLER_MAX,
     CONTROLLERS_ROW,
     CONTROLLERS_PROGRESS,
     CONTROLLERS_FILES,
@@ -100,7 +100,7 @@ _Static_assert(POI_MAX + SHADE_MAX <= 8, "all that hands hold has its bit in one
 
 /* ---- Groups: a mask and the changed fields --------------------------------------------------- */
 
-/* State while a group (a mask and the fields that changed) is written or read. */
+/* State of writing or reading a group, which is a mask and the fields that changed. */
 struct group {
     struct replay_serializer *walk;
     size_t at;     /* Position of the group's mask in the buffer, in bytes. */
@@ -160,9 +160,9 @@ static void group_u32(struct group *group, uint32_t bit, uint32_t before, uint32
     }
 }
 
-/* Ends a group. A writer writes the mask to its reserved bytes, and removes a group without fields.
- * A reader rejects a mask of 0 and a mask with bits that are not in `known`. Returns true if the
- * group has a field. */
+/* Ends a group. A writer writes the mask to its reserved bytes, or removes the group if no field
+ * was written. A reader rejects a mask of 0 and a mask with bits that are not in `known`. Returns
+ * true if the group has at least one field. */
 static bool group_end(struct group *group, uint32_t known)
 {
     struct replay_serializer *walk = group->walk;
@@ -216,8 +216,8 @@ static bool walk_machine(struct replay_serializer *walk, const struct input *bef
 static bool walk_controllers(struct replay_serializer *walk, const struct input *before,
                              struct input *input)
 {
-    /* struct controller_status consists of bytes only. Byte i of the struct has bit i in the mask
-     * of the group. */
+    /* struct controller_status consists of bytes only. Bit i of the group's mask belongs to byte i
+     * of the struct. */
     const uint8_t *old = (const uint8_t *)&before->controllers;
     uint8_t *bytes = (uint8_t *)&input->controllers;
     struct group group = group_begin(walk, true);
@@ -330,8 +330,8 @@ static bool walk_poses(struct replay_serializer *walk, const struct input *befor
 
 /* ---- One input ------------------------------------------------------------------------------- */
 
-/* Writes `input` as the difference from `before`, or reads the difference. A reader passes the
- * previous input as `input` and as `before`. */
+/* Writes `input` as the difference from `before`, or reads such a difference into `input`. To read,
+ * the caller passes the previous input as `input` and as `before`. */
 static void walk_input(struct replay_serializer *walk, const struct input *before,
                        struct input *input)
 {
@@ -371,8 +371,9 @@ static void walk_input(struct replay_serializer *walk, const struct input *befor
 
 size_t replay_encode_input(const struct input *before, const struct input *input, uint8_t *out)
 {
-    struct input copy = *input; /* The serializer takes a non-const pointer, so a copy of the input
-                                   is serialized. */
+    /* The serializer needs a non-const pointer because it also reads. Therefore a copy of the input
+     * is serialized. */
+    struct input copy = *input;
     struct replay_serializer walk = { .out = out, .size = REPLAY_TICK_SIZE_MAX - 4u };
     walk_input(&walk, before, &copy);
     CORE_ASSERT(!walk.bad);

@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* First bytes of a recording, which include control and non-ASCII characters. A text conversion
- * changes these bytes, so that the reader rejects the file. */
+/* First bytes of a recording. They include control and non-ASCII characters, which a text
+ * conversion changes, so that the reader rejects a converted file. */
 #define REPLAY_MAGIC "KGR\x1a\r\n\x89\n"
 #define REPLAY_CHUNK_TAG "SECS"
 #define REPLAY_END_TAG "ENDS"

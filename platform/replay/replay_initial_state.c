@@ -17,8 +17,9 @@
 #define ZEROS_MIN 2u
 #define ZEROS_MAX 129u
 
-/* Maximum size of all serialized fields in bytes. Compression adds at most one byte for each
- * PLAIN_MAX bytes. */
+/* Maximum size in bytes of all serialized fields before compression. In the worst case, compression
+ * adds one byte for each PLAIN_MAX bytes, so the compressed size is less than
+ * REPLAY_INITIAL_STATE_MAX. */
 #define FIELDS_MAX (REPLAY_INITIAL_STATE_MAX / 4u * 3u)
 _Static_assert(sizeof(struct persistent_state) + sizeof(struct game_session) + 256u <= FIELDS_MAX,
                "the fields are no more than they hold");
@@ -76,7 +77,8 @@ static void clear_later_fields(struct ledger *ledger, uint32_t version)
     }
 }
 
-/* Serializes the logged settings. Formats before 9 lack SET_LEVEL, which is the last setting. */
+/* Serializes `edit`, the settings whose values the ledger has logged. Formats before 9 lack the
+ * last setting, SET_LEVEL. */
 static void walk_settings_edit(struct replay_serializer *walk, struct settings_edit *edit)
 {
     const size_t last = sizeof edit->told.value[SET_LEVEL];
@@ -87,8 +89,8 @@ _Static_assert(offsetof(struct settings_edit, turn_tick) == sizeof(struct settin
                    SET_LEVEL + 1 == SETTING_COUNT,
                "the last logged setting precedes the other members");
 
-/* Serializes the session. Ledger, credit and settings are copied as they are in memory, because
- * they contain only integers and have the same layout on every supported board. */
+/* Serializes the game session. Its ledger, credit and settings are copied as they are in memory,
+ * because they contain only integers and have the same layout on every supported board. */
 static void walk_session(struct replay_serializer *walk, struct game_session *session)
 {
     const bool is_7 = walk->version == 7u;
@@ -106,9 +108,9 @@ static void walk_session(struct replay_serializer *walk, struct game_session *se
     }
 }
 
-/* Serializes the rules of the recorded game. The rules of an older recording are those of its
- * format. A recording may also have the rules of a format older than its own, because the PIN was
- * removed from an older recording (platform/kiosk/recorder/pin_sweep.h). */
+/* Serializes config->rules: the format version whose rules the recorded game follows (0 means the
+ * current rules). A recording may have a newer format than its rules, because an older recording is
+ * rewritten when the operator's PIN is removed from it (platform/kiosk/recorder/pin_sweep.h). */
 static void walk_rules(struct replay_serializer *walk, struct core_config *config)
 {
     if (walk->version == 7u) {
@@ -116,7 +118,8 @@ static void walk_rules(struct replay_serializer *walk, struct core_config *confi
         return;
     }
     replay_serialize_u8(walk, &config->rules);
-    if (walk->version == 8u) { /* The byte is 1 for the rules of format 7, otherwise 0. */
+    if (walk->version == 8u) {
+        /* In format 8, the byte is 1 for the rules of format 7 and 0 for the rules of format 8. */
         walk->bad |= config->rules > 1u;
         config->rules = config->rules == 1u ? 7u : 8u;
     }
@@ -162,8 +165,8 @@ static size_t pack(const uint8_t *bytes, size_t size, uint8_t *out)
     return used;
 }
 
-/* Decompresses `size` bytes to `out`. Returns the decompressed size. Returns 0 if this size is more
- * than `max`, or if the data end inside a run. */
+/* Decompresses `size` bytes to `out`. Returns the decompressed size, or 0 if it would be more than
+ * `max` or if the data end within a series of literal bytes. */
 static size_t unpack(const uint8_t *bytes, size_t size, uint8_t *out, size_t max)
 {
     size_t at = 0, count = 0;
@@ -191,8 +194,9 @@ static size_t unpack(const uint8_t *bytes, size_t size, uint8_t *out, size_t max
 size_t replay_initial_state_encode(const struct core_config *config,
                                    uint8_t out[REPLAY_INITIAL_STATE_MAX])
 {
-    struct core_config copy = *config; /* The serializer takes a non-const pointer, so a copy of the
-                                          configuration is serialized. */
+    /* The serializer needs a non-const pointer because it also reads. Therefore a copy of the
+     * configuration is serialized. */
+    struct core_config copy = *config;
     uint8_t fields[FIELDS_MAX];
     struct replay_serializer walk = { .out = fields,
                                       .size = sizeof fields,
@@ -236,8 +240,9 @@ static void walk_book(struct replay_serializer *walk, struct lab_book *book)
 
 size_t replay_catalog_encode(const struct lab_book *book, uint8_t out[REPLAY_CATALOG_MAX])
 {
-    struct lab_book copy = *book; /* The serializer takes a non-const pointer, so a copy of the
-                                     catalog is serialized. */
+    /* The serializer needs a non-const pointer because it also reads. Therefore a copy of the
+     * catalog is serialized. */
+    struct lab_book copy = *book;
     struct replay_serializer walk = { .out = out, .size = REPLAY_CATALOG_MAX };
     uint32_t edits = 0;
     for (uint32_t i = 0; i < SPECIES_MAX; i++) {

@@ -70,8 +70,8 @@ static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, u
     return 0;
 }
 
-/* Returns true if `bytes` is a valid program version. The name must be printable and padded with
- * zeros, and must not contain a character that would end a JSON string. */
+/* Returns true if `bytes` is a valid program version. The text must be printable, must not contain
+ * a character that would end a JSON string, and must be padded with zeros. */
 static bool is_program_name(const uint8_t *bytes)
 {
     size_t length = 0;
@@ -86,8 +86,8 @@ static bool is_program_name(const uint8_t *bytes)
     return zeros > 0 && length + zeros == REPLAY_PROGRAM_SIZE;
 }
 
-/* Reads one part of the header and its checksum into reader->bytes. Returns 0, or -1 if the
- * checksum is wrong. */
+/* Reads the initial state or the catalog, with its checksum, into reader->bytes. Returns 0, or -1
+ * if the bytes cannot be read or the checksum is wrong. */
 static int read_part_of_header(struct replay_reader *reader, size_t size, const char *what)
 {
     CORE_ASSERT(size + REPLAY_SUM_SIZE <= sizeof reader->bytes);
@@ -115,8 +115,8 @@ static int read_start(struct replay_reader *reader, size_t size)
     return 0;
 }
 
-/* Reads the catalog. Returns 0, or -1 if the catalog contains species that this program does not
- * have. */
+/* Reads the growth lab's catalog. Returns 0, or -1 if the catalog is invalid or contains species
+ * that this program does not have. */
 static int read_book(struct replay_reader *reader, size_t size)
 {
     if (size == 0) {
@@ -132,7 +132,7 @@ static int read_book(struct replay_reader *reader, size_t size)
     return 0;
 }
 
-/* Returns true if the header contains values that a recorder of this version can write. */
+/* Returns true if all values in the header are values that a recorder can write. */
 static bool is_possible(const uint8_t *header)
 {
     const uint32_t digest_ticks = replay_get_u32(header + HEADER_DIGEST_TICKS);

@@ -1,4 +1,4 @@
-/* replay_writer.c -- writes a recording that is complete in the file after each second. */
+/* replay_writer.c -- writes a recording. After each second, the file is a complete recording. */
 #include "platform/replay/replay.h"
 
 #include <errno.h>
@@ -59,9 +59,9 @@ static void put_end(uint8_t *out, const struct replay_totals *totals, uint64_t s
     replay_put_u64(out + END_SUM, hash_bytes(sum, out, END_SUM));
 }
 
-/* Appends the checksum of a part to the part, and stores the checksum in `*sum` as the initial
- * value for the next part. Writes nothing if the part is empty. Returns the size of the part with
- * its checksum. */
+/* Appends the checksum of a part of the recording to the part, and stores the checksum in `*sum` as
+ * the initial value for the next part. Writes nothing if the part is empty. Returns the size of the
+ * part with its checksum. */
 static size_t put_sum(uint8_t *part, size_t size, uint64_t *sum)
 {
     CORE_ASSERT(size + REPLAY_SUM_SIZE <= REPLAY_HEADER_MAX);
@@ -172,9 +172,9 @@ int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
     return replay_writer_begin(writer, config, first_hash);
 }
 
-/* Restores the end mark of the last complete write at its offset in the file. On a full disk this
- * write needs no new space. A recording in memory needs no restoring, because a chunk that does not
- * fit is not written. */
+/* After a failed write, writes the end mark that follows the last complete chunk again, so that the
+ * recording is complete up to this chunk. This write needs no new disk space. A recording in memory
+ * always keeps its end mark, because a chunk that does not fit is not written. */
 static void restore(struct replay_writer *writer)
 {
     uint8_t end[REPLAY_END_SIZE];
