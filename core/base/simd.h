@@ -35,8 +35,8 @@
 #define SIMD_BEGIN _Pragma("GCC visibility push(hidden)")
 #define SIMD_END _Pragma("GCC visibility pop")
 
-/* Gives the name of a build of the kernel `name`. `lanes` is the number of lanes: 0, 4 or 8, where
- * 0 means 4. Example: SIMD_PICK(lanes, swim_move_block)(shoal, first). */
+/* Gives the name of a build of the kernel `name`. `lanes` is the number of lanes: 4, 8, or 0 for
+ * the default (4). Example: SIMD_PICK(lanes, swim_move_block)(shoal, first). */
 #ifdef __x86_64__
 #define SIMD_LANES_MAX 8u
 #define SIMD_PICK(lanes, name) ((lanes) == 8u ? name##_8 : name##_4)
@@ -45,7 +45,8 @@
 #define SIMD_PICK(lanes, name) ((void)(lanes), name##_4)
 #endif
 
-/* Returns true if the kernels were built for this number of lanes. 0 means 4 lanes. */
+/* Returns true if the kernels were built for this number of lanes. 0 selects the default of 4
+ * lanes. */
 static inline bool simd_is_built(uint32_t lanes)
 {
     return lanes == 0u || lanes == 4u || lanes == SIMD_LANES_MAX;

@@ -85,7 +85,8 @@ struct tank_config {
     bool pump; /* True if the air pump runs, so that the air stone bubbles. */
     /* Number of bowls, 0 .. POI_MAX. No fish starts under a bowl. */
     uint8_t bowls;
-    /* Number of SIMD lanes: 0, 4 or 8 (core/base/simd.h). The number affects only speed. */
+    /* Number of SIMD lanes (core/base/simd.h): 4, 8, or 0 for the default (4). The number affects
+     * only speed. */
     uint8_t lanes;
     /* Algorithm of the pair search (enum pair_search), which affects only speed. */
     uint8_t search;

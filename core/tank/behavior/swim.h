@@ -83,9 +83,10 @@ struct shoal {
     float space; /* Width of the personal space around the body of a fish, in body lengths. */
 };
 
-/* Calls swim_move() for all swimming fish and updates their bodies. `lanes` is 0, 4 or 8. SIMD code
- * processes a block of `lanes` fish if the whole block swims. For a falling fish the function only
- * updates the body, and adds SWIM_FAR_M to `way_m`, which forces a new search for nearby fish. */
+/* Calls swim_move() for all swimming fish and updates their bodies. `lanes` is the number of SIMD
+ * lanes: 4, 8, or 0 for the default (4). SIMD code processes a block of this number of fish if the
+ * whole block swims. For a falling fish the function only updates the body, and adds SWIM_FAR_M to
+ * `way_m`, which forces a new search for nearby fish. */
 void swim_move_all(const struct shoal *shoal, uint32_t lanes);
 
 /* Moves every swimming fish to the position of its body, adds the distance to `way_m`, and calls

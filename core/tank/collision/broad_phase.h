@@ -101,7 +101,7 @@ void broad_phase_gather(struct broad_phase *broad_phase, const struct fish *fish
 /* Options of a broad-phase query. `search` and `lanes` affect only speed, not results. */
 struct broad_phase_search {
     uint8_t search; /* Algorithm of the pair search (enum pair_search). */
-    uint8_t lanes;  /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
+    uint8_t lanes;  /* Number of SIMD lanes: 4, 8, or 0 for the default (4). */
     /* True if the query only lists contacts (pairs that could touch) and leaves `neighbours`
      * unchanged. */
     bool contacts_only;

@@ -58,7 +58,7 @@ struct solver_context {
     /* Largest distance in a tick by which the solver may push a body. The body's own motion does
      * not count. */
     float push_max_m;
-    /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). The number affects only speed. */
+    /* Number of SIMD lanes: 4, 8, or 0 for the default (4). The number affects only speed. */
     uint8_t lanes;
 };
 
@@ -105,7 +105,8 @@ struct contact_solver {
     uint32_t substep, substep_count;
     /* True if a fish must return to its previous angles at the end of the tick. */
     bool reverts_angles;
-    /* Number of times that a fish reverted to its previous pose in this tick, in all substeps. */
+    /* Number of times that a fish was moved back to its previous pose in this tick, in all
+     * substeps. */
     uint32_t reverted_count;
 };
 
@@ -140,9 +141,9 @@ void contact_solver_relax(struct contact_solver *solver, struct broad_phase *bro
 void contact_solver_finish(struct contact_solver *solver, struct broad_phase *broad_phase,
                            const struct solver_context *place);
 
-/* Ends a tick. Fish that the penetration check reverted get their previous angles and stop turning.
- * If the solver undid a part of an obstacle's motion, the obstacle loses the corresponding part of
- * its velocity. */
+/* Ends a tick. Fish that the penetration check moved back to their previous pose also get their
+ * previous angles and stop turning. If the solver undid a part of an obstacle's motion, the
+ * obstacle loses the corresponding part of its velocity. */
 void contact_solver_end(struct contact_solver *solver, const struct broad_phase *broad_phase,
                         const struct solver_context *place);
 

@@ -76,9 +76,9 @@ static inline float contact_sweep_m(const struct solver_step *all, uint32_t inde
 vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const struct body *body);
 
 /* Runs the penetration check after the pushes, until no fish is too deep in another fish or in an
- * obstacle. If a fish is too deep, the fish reverts or moves along with the obstacle, or the check
- * undoes a part of the obstacle's motion. `is_parted` is true if no two fish overlap after the
- * pushes. Defined in penetration_check.c. */
+ * obstacle. If a fish is too deep, the fish returns to its previous pose or moves along with the
+ * obstacle, or the check undoes a part of the obstacle's motion. `is_parted` is true if no two fish
+ * overlap after the pushes. Defined in penetration_check.c. */
 void penetration_check(const struct solver_step *all, bool is_parted);
 
 /* SIMD form of a part of contact_solver_project(), for a block of consecutive fish that begins with

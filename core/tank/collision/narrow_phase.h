@@ -119,7 +119,7 @@ struct narrow_phase_query {
     uint32_t count;
     uint8_t which;
     uint8_t search; /* Algorithm of the pair search (enum pair_search). */
-    uint8_t lanes;  /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
+    uint8_t lanes;  /* Number of SIMD lanes: 4, 8, or 0 for the default (4). */
     /* True if the search may omit pairs whose personal spaces overlap but whose bodies are not
      * near. */
     bool bodies_only;
@@ -172,9 +172,9 @@ bool narrow_phase_next(struct narrow_phase *narrow_phase, const struct narrow_ph
                        struct narrow_phase_pair *found, uint32_t *count);
 
 /* Writes the gaps between the bodies of `count` pairs of fish to `gap_m`, as in struct
- * narrow_phase_pair. The error is below 1 um for gaps below half a metre. `lanes` is 0, 4 or 8, as
- * in simd_is_built(). The lists `a`, `b` and `gap_m` must have room for SIMD_LANES_MAX extra
- * entries. The extra entries of `a` and `b` must be valid indices of fish. */
+ * narrow_phase_pair. The error is below 1 um for gaps below half a metre. `lanes` is the number of
+ * SIMD lanes: 4, 8, or 0 for the default (4). The lists `a`, `b` and `gap_m` must have room for
+ * SIMD_LANES_MAX extra entries. The extra entries of `a` and `b` must be valid indices of fish. */
 void narrow_phase_gaps(const struct body *body, const fish_index *a, const fish_index *b,
                        uint32_t count, uint8_t lanes, float *gap_m);
 

@@ -6,8 +6,8 @@
 /* Number of overlaps per fish, on average, above which the fish count as a pile. A pile occurs only
  * if tank_stage_all() placed many fish at the same place.
  *
- * Normally a fish whose contact is missing in a full contact list is reverted to its previous pose.
- * In a pile such a fish is only pushed, because a reverted fish would stay in the pile forever. */
+ * Normally a fish whose contact is missing in a full contact list returns to its previous pose. In
+ * a pile such a fish is only pushed, because it would otherwise stay in the pile forever. */
 #define PILE 2u
 /* Upper limit of the number of rounds in which the penetration check changes no fish and only
  * undoes motion of obstacles. There are up to eight obstacles. The check undoes a part of an
@@ -103,8 +103,8 @@ static bool move_with_same_obstacle(const struct solver_step *all, uint32_t carr
 }
 
 /* Resolves the penetration of two fish. If an obstacle presses or carries one of the fish, moves
- * the fish along with the obstacle. Otherwise returns (reverts) a fish to its previous pose. If
- * reverting either fish would suffice, reverts the fish that moved farther. */
+ * the fish along with the obstacle. Otherwise one fish returns to its previous pose, or both fish
+ * if one is not enough. If either fish is enough, the fish that moved farther returns. */
 static void choose_reverted(const struct solver_step *all, uint32_t a, uint32_t b, float allowed_m,
                             uint32_t round)
 {
@@ -164,10 +164,10 @@ static uint32_t check_contact_pairs(const struct solver_step *all, uint32_t roun
     return unresolved;
 }
 
-/* Resolves the penetration of a fish and an obstacle. A fish that ran into the obstacle reverts. If
- * the obstacle ran into the fish, a revert would not help, so the fish moves along with the
- * obstacle. If the fish has no room, the function undoes a part of the obstacle's motion. If the
- * obstacle has no motion left, the fish reverts. Returns true if a position changed. */
+/* Resolves the penetration of a fish and an obstacle. A fish that ran into the obstacle returns to
+ * its previous pose. If the obstacle ran into the fish, the fish moves along with the obstacle. If
+ * the fish has no room, the function undoes a part of the obstacle's motion. If the obstacle has no
+ * motion left, the fish returns to its previous pose. Returns true if a position changed. */
 static bool resolve_obstacle_penetration(const struct solver_step *all, uint32_t index, uint32_t o,
                                          vec3 out, float excess_m, uint32_t round)
 {
