@@ -26,7 +26,8 @@ struct core_config {
     /* Paper grade, 4 .. 7, used if the mode's rules leave the grade open or if `modes` has only one
      * bit set. 0 means the grade of the mode's rules, or 6 if the rules have none. */
     uint8_t grade;
-    uint8_t level;        /* Level that players have until they choose another one (enum level). */
+    /* Level that players have until they choose another level (enum level). */
+    uint8_t level;
     uint8_t players;      /* Number of bowls at the tank, 1 .. POI_MAX; 0 counts as 1. */
     uint8_t credit_coins; /* Price of a round in units, 1 .. CREDIT_COINS_MAX; 0 means free play. */
     uint8_t ticket_fish;  /* Fish per ticket, 1 .. CREDIT_TICKET_FISH_MAX; 0 means no tickets. */

@@ -277,8 +277,8 @@ static void write_poi_forces(const struct core *core, const uint8_t live[POI_MAX
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         output->poi[i] = (struct poi_force){ 0 };
-        if (live[i] && !core->world.poi[i].damage_immune) { /* No force feedback unless the
-                                                               player controls the poi. */
+        /* No force feedback unless the player controls the poi. */
+        if (live[i] && !core->world.poi[i].damage_immune) {
             poi_haptics(&core->world.poi[i], &output->poi[i]);
         }
     }

@@ -52,7 +52,7 @@ enum controller_state {
     CONTROLLER_FREE,
     /* The controller is attached, and supplies or can supply the pose of a poi. */
     CONTROLLER_ACTIVE,
-    CONTROLLER_LOST, /* The controller was attached as a poi and is now disconnected. */
+    CONTROLLER_LOST, /* The controller controlled a poi and is now disconnected. */
     /* The device can never be used: a boot keyboard, a hub, or a device without input fields. */
     CONTROLLER_UNSUPPORTED,
     /* The operator selected the controller, but the process has no permission to open it. */

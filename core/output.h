@@ -128,8 +128,8 @@ struct output {
     struct poi_force poi[POI_MAX];
     uint32_t tick;       /* Number of ticks that the core has run. */
     uint32_t round_tick; /* Tick at which the newest round started. 0 means no round yet. */
-    /* Phase of the game after the newest tick (enum scene_phase). 0 before the first tick, which is
-     * PHASE_ATTRACT. */
+    /* Phase of the game after the newest tick (enum scene_phase); PHASE_ATTRACT (0) before the
+     * first tick. */
     uint8_t phase;
     /* 1 if the program may restart, because attract mode is active and the balance contains no open
      * game; otherwise 0. */
@@ -148,8 +148,8 @@ struct output {
     struct controller_command commands[CONTROLLER_COMMAND_MAX];
     uint32_t entry_id; /* Id of the newest ledger entry. Entry n is in entries[n % LEDGER_RING]. */
     struct ledger_entry entries[LEDGER_RING];
-    /* Newest graph edit of a species. If the store does not read the edit before the next edit, the
-     * edit is not saved and is lost at the next start. */
+    /* Newest graph edit of a species. The next edit overwrites this edit. An edit that the store
+     * did not read in time is not saved, and is lost at the next start. */
     struct graph_edit_record edit;
 };
 

@@ -72,8 +72,8 @@ enum tear_cause {
 #define TEAR_SIDE (SHEET_SIDE / 2u) /* Cells along each side of the paper in the slow motion. */
 #define TEAR_CELL_COUNT (TEAR_SIDE * TEAR_SIDE)
 
-/* One frame of the slow motion of the second around the first tear of a player's paper. The slow
- * motion is present in PHASE_RESULT only. */
+/* One frame of the slow motion, which shows the second around the first tear of a player's paper.
+ * The slow motion is present in PHASE_RESULT only. */
 struct scene_tear {
     uint8_t cause; /* Cause of the first tear (enum tear_cause); TEAR_NONE means no tear. */
     /* Time of the frame since the first tear, in seconds; negative before the tear. */
@@ -142,7 +142,7 @@ struct scene_ghost {
 /* Lesson of one player (core/game/lesson/lesson.h): aids that are drawn in the tank. */
 struct scene_lesson {
     uint8_t hint;           /* Hint beside the player's poi (enum scene_hint). */
-    float hint_s;           /* Seconds since this hint appeared. */
+    float hint_s;           /* Seconds since the hint `hint` appeared. */
     uint8_t marks_fish;     /* 1 if a ring marks the fish `fish`, otherwise 0. */
     uint8_t points_to_bowl; /* 1 if an arrow points from the poi to the bowl, otherwise 0. */
     uint16_t fish;          /* Index of the marked fish. */

@@ -97,9 +97,11 @@ struct player {
     uint32_t first_torn_tick;
     /* Number of sheets that the player used up before the current sheet. */
     uint32_t sheets_before;
-    /* Duration in ticks of the current pause in which other players wait for this controller. */
+    /* Duration in ticks of the current pause in which other players wait for this player's
+     * controller. */
     uint32_t lost_ticks;
-    /* Total ticks in this round for which other players have waited for this controller. */
+    /* Total ticks in this round for which other players have waited for this player's
+     * controller. */
     uint32_t waited_ticks;
     /* Motion of the controller since READY or the mode selection began (enum player_stance). */
     uint8_t stance;

@@ -58,8 +58,8 @@ void health_log_tick(struct accounts *accounts, struct health_log *health_log,
     struct ledger *ledger = &accounts->ledger;
     const bool is_first = !health_log->is_written;
     health_log->is_written = 1;
-    if (is_first && ledger->boot > 0) { /* Log the kiosk's start. Without a store (`boot` 0)
-                                           starts are not counted and not logged. */
+    /* Log the kiosk's start. Without a store (`boot` 0) starts are not counted and not logged. */
+    if (is_first && ledger->boot > 0) {
         const struct ledger_entry entry = { .kind = LEDGER_BOOT,
                                             .count = ledger->boot,
                                             .value = (int32_t)ledger->balance.unlogged };
@@ -69,9 +69,9 @@ void health_log_tick(struct accounts *accounts, struct health_log *health_log,
                             round_standing_finish(accounts, config, game->tick, output);
         if (!counts && ledger->balance.open != PAYMENT_NONE) {
             credit_refund(accounts, game, config, REFUND_RESTART, output);
-            accounts->credit.came_back = 0; /* Show no message about the refund, because the
-                                                    refunded round is from an earlier run of the
-                                                    kiosk. */
+            /* Show no message about the refund, because the refunded round is from an earlier run
+             * of the kiosk. */
+            accounts->credit.came_back = 0;
         }
     }
     const bool is_due = game->tick - health_log->written_tick >= HEALTH_LOG_TICKS;

@@ -182,8 +182,8 @@ static uint8_t choose_hint(const struct hints *hints, const struct game *game,
     case PHASE_ALBUM:
     case PHASE_NAME:
     case PHASE_MENU:
-        return HINT_NONE; /* Show no hint, because the screens of these phases contain their own
-                             instructions. */
+        /* Show no hint, because the screens of these phases contain their own instructions. */
+        return HINT_NONE;
     case PHASE_RESULT:
         return game->accounts.credit.came_back                         ? HINT_PAID_BACK
                : game->tick - game->phase_tick >= GAME_AGAIN_DIP_TICKS ? to_play
@@ -222,9 +222,8 @@ bool hints_may_change(uint8_t shown, uint8_t next, uint32_t shown_ticks, const s
 void hints_tick(struct hints *hints, const struct game *game, const struct world *world,
                 const struct core_config *config)
 {
-    const bool edge =
-        game->tick == game->phase_tick; /* True in the first tick of a new phase. The hint rules
-                                           are always evaluated in this tick. */
+    /* True in the first tick of a new phase. The hint rules are always evaluated in this tick. */
+    const bool edge = game->tick == game->phase_tick;
     select_pupil(hints, world);
     watch_paper(hints, world);
     if (!edge && game->tick % LOOK_TICKS != 0) {

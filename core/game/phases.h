@@ -46,8 +46,8 @@ void attract_begin(struct game *game, struct world *world, const struct core_con
  * players share the mode, and each player has a separate level. */
 uint32_t game_mode_select_tag(const struct game *game, uint32_t player);
 
-/* Returns the player for whom the buttons select: the first player with a connected poi, or player
- * 0 if there is none. */
+/* Returns the player for whom the buttons select: the first player with a connected controller, or
+ * player 0 if no controller is connected. */
 uint32_t game_mode_select_lead(const struct world *world);
 
 /* Handles a request to play. Without a credit the state stays unchanged. If players can choose

@@ -51,8 +51,9 @@ void round_ready_begin(struct game *game, struct world *world, const struct core
 static void begin_round(struct game *game, struct world *world, struct output *output)
 {
     CORE_ASSERT(game->phase == PHASE_READY);
-    table_setup_empty_bowls(world); /* Empty the bowls, because fish that fell off a replaced poi
-                                       during READY may lie in the bowls without being counted. */
+    /* Empty the bowls, because fish that fell off a replaced poi during READY may lie in the bowls
+     * without being counted. */
+    table_setup_empty_bowls(world);
     game_enter_phase(game, PHASE_ROUND);
     game->round_tick = game->tick;
     game->paused_ticks = 0;

@@ -56,8 +56,10 @@ struct level_rules {
     uint8_t grade_step;
     /* Time constant that smooths the motion of the player's poi in water; 0 means no smoothing. */
     float stroke_s;
-    float stroke_m_s;     /* Highest speed of the player's poi in water; 0 means no limit. */
-    struct temper temper; /* Temper of all fish, if this is the easiest level in the round. */
+    float stroke_m_s; /* Highest speed of the player's poi in water; 0 means no limit. */
+    /* Temper of all fish (how much calmer they are than living fish), if this level is the easiest
+     * level in the round. */
+    struct temper temper;
 };
 
 /* Returns the grade of a player's paper at `level` in a round whose paper has the grade `grade`. */

@@ -42,8 +42,8 @@ static void watch_stance(struct player *player, const struct game *game, const s
     CORE_ASSERT(index < POI_MAX);
     const uint8_t link = world->poi[index].link;
     if (!player_has_poi(world, index)) {
-        player->stance = STANCE_UNSEEN; /* Forget the motion of a player without a controller,
-                                           because a broken cable is no foul. */
+        /* Forget the motion of a player without a controller, because a broken cable is no foul. */
+        player->stance = STANCE_UNSEEN;
     } else if (link == POI_SOURCE_LIVE || link == POI_SOURCE_BOT) {
         const vec3 hand_m = link == POI_SOURCE_LIVE
                                 ? game->control[index].validation.newest.position_m

@@ -252,7 +252,8 @@ void audits_note(struct audits *audits, const struct ledger_entry *entry)
         *longest = *longest < entry->health.up_s ? entry->health.up_s : *longest;
         break;
     default:
-        break; /* The table `sums` contains all counters that the other kinds of entries change.
-                  LEDGER_NAME, LEDGER_SETTING, LEDGER_STAND and LEDGER_LEFT change no counter. */
+        /* The table `sums` contains all counters that the other kinds of entries change.
+         * LEDGER_NAME, LEDGER_SETTING, LEDGER_STAND and LEDGER_LEFT change no counter. */
+        break;
     }
 }

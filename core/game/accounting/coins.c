@@ -41,8 +41,8 @@ static void insert_coins(struct accounts *accounts, const struct core_config *co
         const uint64_t value =
             (uint64_t)pulses * unsigned_setting(&config->persistent.settings, SET_COIN_1 + line);
         const uint32_t units = value < BALANCE_MAX ? (uint32_t)value : BALANCE_MAX;
-        const uint32_t owed = is_sold ? units : 0u; /* In free play a coin adds no units to the
-                                                       balance. */
+        /* In free play a coin adds no units to the balance. */
+        const uint32_t owed = is_sold ? units : 0u;
         add_saturated(&pending->pulses, pulses);
         add_saturated(&pending->units, units);
         add_saturated(&pending->owed, owed);
@@ -246,8 +246,9 @@ void coins_tick(struct accounts *accounts, const struct game *game, const struct
         accounts->ledger.balance.open = PAYMENT_NONE;
         ledger_write(accounts, game->tick, &left, output);
     }
-    if (game->phase == PHASE_MENU) { /* Coins inserted in the operator's menu are tests. The coin
-                                        meter counts the coins, but the balance does not change. */
+    /* Coins inserted in the operator's menu are tests. The coin meter counts the coins, but the
+     * balance does not change. */
+    if (game->phase == PHASE_MENU) {
         for (uint8_t line = 0; line < COIN_LINE_COUNT; line++) {
             if (input->coin_count[line] > 0) {
                 const struct ledger_entry entry = { .kind = LEDGER_TEST_COIN,

@@ -146,8 +146,8 @@ struct ledger_credits ledger_committed_credits(const struct ledger *ledger)
     struct balance before = ledger->committed;
     const uint32_t count = unsaved_entry_count(ledger);
     if (count > LEDGER_RING) {
-        return (struct ledger_credits){ 0 }; /* Without a store, no entry is saved, so no credit is
-                                                on disk. */
+        /* Without a store, no entry is saved, so no credit is on disk. */
+        return (struct ledger_credits){ 0 };
     }
     for (uint32_t i = 1; i <= count; i++) {
         const struct balance *after = &ledger->after[(ledger->saved_id + i) % LEDGER_RING];

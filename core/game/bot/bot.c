@@ -80,17 +80,18 @@ struct poi_target bot_tick(struct bot *bot, const struct vision *vision)
     CORE_ASSERT(vision->player < POI_MAX);
     const struct technique *technique = &bot->technique;
     const uint32_t tick = vision_game(vision).tick;
-    if (tick >= bot->act_tick) { /* The reaction time is over: the newest snapshot becomes
-                                    usable, and the bot takes the next snapshot. */
+    /* The reaction time is over: the newest snapshot becomes usable, and the bot takes the next
+     * snapshot. */
+    if (tick >= bot->act_tick) {
         const struct rng_key key = { bot->seed, tick, 0, RNG_BOT_REACTION };
         const float wait_s =
             f_lerp(technique->reaction_min_s, technique->reaction_max_s, rng_unit(key));
         const struct snapshot_fish followed = bot->known.prey;
         bot->known = bot->seen;
         if (bot->known.prey.fish != bot->prey) {
-            bot->known.prey = followed; /* If the snapshot was taken before the present target
-                                           fish was selected, the snapshot lacks this fish. The
-                                           earlier data of the target fish is then copied. */
+            /* If the snapshot was taken before the present target fish was selected, the snapshot
+             * lacks this fish. The earlier data of the target fish is then copied. */
+            bot->known.prey = followed;
         }
         snapshot_take(&bot->seen, &bot->known, vision, bot->prey, bot_attention_m(bot));
         bot->act_tick = tick + (uint32_t)(int32_t)(wait_s * (float)CORE_TICK_HZ + 0.5f);

@@ -213,8 +213,8 @@ static bool keep_over_entry(struct bot *bot, uint32_t tick)
 static void bot_approach(struct bot *bot, uint32_t tick)
 {
     if (bot->known.carried_count > 0 && bot_saw_since(bot, 0.0f)) {
-        bot_set_stage(bot, BOT_CARRY, tick); /* A fish already lies on the paper, so the bot carries
-                                         this fish to the bowl. */
+        /* A fish already lies on the paper, so the bot carries this fish to the bowl. */
+        bot_set_stage(bot, BOT_CARRY, tick);
     } else if (keep_over_entry(bot, tick)) {
         bot_set_stage(bot, bot->technique.hunt == HUNT_SHADE ? BOT_WATCH : BOT_DIP, tick);
     }
@@ -363,8 +363,9 @@ static void bot_carry(struct bot *bot, uint32_t tick)
     }
     bot_want(bot, over_bowl_m(bot, toward), CRADLE_RAD, bot->technique.carry_m_s);
     if (bot_way_left_m(bot) < 2.0f * BOT_THERE_M) {
-        bot->miss_m = toward; /* The stage BOT_TIP needs no aiming error, so `miss_m` stores the
-                                 direction in which the poi is tipped. */
+        /* The stage BOT_TIP needs no aiming error, so `miss_m` stores the direction in which the
+         * poi is tipped. */
+        bot->miss_m = toward;
         bot_set_stage(bot, BOT_TIP, tick);
     }
 }

@@ -50,7 +50,8 @@ static void estimate_velocity(struct snapshot_fish *now, const struct snapshot *
 
 /* ---- List of the nearby fish ----------------------------------------------------------------- */
 
-/* Counts the fish on and above the bot's own paper. */
+/* Counts `fish` in `snapshot` if the fish lies on the bot's own paper, or is in the water above
+ * this paper. */
 static void count_upon(struct snapshot *snapshot, const struct basis *axes,
                        const struct vision_fish *fish)
 {
@@ -72,8 +73,9 @@ static void see_all(struct snapshot *snapshot, const struct vision *vision, vec3
 {
     const struct basis axes = vec_basis_from_angles(snapshot->poi.angles);
     const uint32_t count = vision_game(vision).fish_count;
-    float rank_m[SNAPSHOT_NEAR_MAX]; /* Rank of each fish in the list: its distance, corrected
-                                        for depth and gulping. A lower rank is better. */
+    /* Rank of each fish in the list: its distance, corrected for depth and gulping. A lower rank is
+     * better. */
+    float rank_m[SNAPSHOT_NEAR_MAX];
     for (uint32_t i = 0; i < SNAPSHOT_NEAR_MAX; i++) {
         rank_m[i] = 1e9f;
     }

@@ -184,8 +184,8 @@ const struct snapshot_fish *targeting_choose(const struct technique *technique,
     for (uint32_t i = 0; i < snapshot->near_count; i++) {
         const struct snapshot_fish *fish = &snapshot->near[i];
         const vec3 then_m = snapshot_predict(fish, age_s + START_S);
-        float way_yaw_rad = 0.0f, way_s = 1e9f; /* Handle yaw with the lowest cost for this fish
-                                                   (`way_yaw_rad`), and the cost (`way_s`). */
+        /* Handle yaw with the lowest cost for this fish (`way_yaw_rad`), and the cost (`way_s`). */
+        float way_yaw_rad = 0.0f, way_s = 1e9f;
         bool found = false;
         for (uint32_t k = 0; k <= YAW_COUNT; k++) {
             const float yaw =

@@ -67,8 +67,8 @@
 /* Growth per second of the fraction BACK_SHARE after the damage immunity has ended, so that every
  * return ends. */
 #define BACK_SHARE_PER_S 0.5f
-/* Distance to the controller's pose at which a return is complete. The spring between pose and poi
- * covers this distance without an impact. */
+/* Distance from the controller's pose at which the return of a poi is complete. The spring between
+ * pose and poi covers this distance without an impact. */
 #define BACK_NEAR_M 0.006f
 #define BACK_NEAR_RAD 0.02f
 /* Horizontal distance to the controller's pose above which a returning poi leaves the water before

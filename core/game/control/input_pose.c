@@ -15,8 +15,8 @@
 /* Highest rotation rate that the jump test accepts, as the distance per second that the tip of a
  * unit axis of the pose moves (input_turn()). The rate equals rad/s for small rotations. */
 #define WRIST_PER_S 40.0f
-/* Rotation beyond the rate WRIST_PER_S that the jump test tolerates. Both constants together permit
- * a rotation of 36 degrees in one tick. */
+/* Rotation beyond the rate WRIST_PER_S that the jump test tolerates. WRIST_PER_S and LEAP_TURN
+ * together permit a rotation of 36 degrees in one tick. */
 #define LEAP_TURN 0.3f
 #define CREDIT_KEEP 0.95f
 
@@ -95,8 +95,8 @@ static bool detect_pose_jump(struct input_validation *validation, const struct p
     validation->spin = excess_motion_sum(validation->spin, turn, WRIST_PER_S * CORE_TICK_S);
     const bool is_jump = validation->excess_m > leap_m || validation->spin > LEAP_TURN;
     if (is_jump) {
-        validation->excess_m = validation->spin =
-            0.0f; /* After a jump, reset both sums, because the sensor may stay at the new pose. */
+        /* After a jump, reset both sums, because the sensor may stay at the new pose. */
+        validation->excess_m = validation->spin = 0.0f;
     }
     return is_jump && input->has_wrist;
 }

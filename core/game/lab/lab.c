@@ -21,9 +21,9 @@ void lab_begin(struct game *game, struct world *world, const struct core_config 
     game_enter_phase(game, PHASE_LAB);
     lab->stir_tick = lab->act_tick = game->tick;
     lab->start_ticks = 0;
-    lab->presses = 1; /* The player opened the lab by a dip of the poi. The pointer counts as
-                         pressed until it is released, so that this dip does not press a part of
-                         the page. */
+    /* The player opened the lab by a dip of the poi. The pointer counts as pressed until it is
+     * released, so that this dip does not press a part of the page. */
+    lab->presses = 1;
     lab_take(&game->lab, &config->book, lab->species);
     output_sound(output, SOUND_START, 0.7f, 0.0f);
 }
@@ -105,8 +105,8 @@ static void take_lab_buttons(struct lab *lab, const struct lab_book *book, uint3
     if (down & INPUT_RIGHT) {
         step_life(lab, step);
     }
-    if (input->pressed & INPUT_START) { /* A short press of START starts or stops the playback of
-                                           the life. */
+    /* A short press of START starts or stops the playback of the life. */
+    if (input->pressed & INPUT_START) {
         lab_use(lab, book, LAB_PLAY, output);
     }
     if (input->pressed & INPUT_OK) {

@@ -92,8 +92,8 @@ void lab_edit_weigh(struct lab_edit *edit, uint32_t key_count, uint32_t knot, ui
             at->weight[i] = others > 1e-4f ? at->weight[i] * (rest / others) : 0.0f;
         }
     }
-    if (!(others > 1e-4f)) { /* If all other keys had weight 0, the neighbouring keys receive the
-                                remaining weight. */
+    /* If all other keys had weight 0, the neighbouring keys receive the remaining weight. */
+    if (!(others > 1e-4f)) {
         at->weight[key > 0 ? key - 1u : key + 1u] += 0.5f * rest;
         at->weight[key + 1u < key_count ? key + 1u : key - 1u] += 0.5f * rest;
     }

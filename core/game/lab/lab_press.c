@@ -27,8 +27,9 @@ void lab_take(struct lab *lab, const struct lab_book *book, uint32_t species)
     lab->rest_ticks = 0;
     lab->playing = 1;
     lab->asked_id = 0;
-    lab->holds = HOLD_BUTTON; /* Treat the press as a press on a button, so that the pointer does
-                                 not drag a knot of the previous graph. */
+    /* Treat the press as a press on a button, so that the pointer does not drag a knot of the
+     * previous graph. */
+    lab->holds = HOLD_BUTTON;
     lab->held_knot = LAB_NO_KNOT;
 }
 

@@ -12,8 +12,8 @@
 /* Longest time for which a hint is shown. If the player's fault persists, the hint is hidden for
  * the same time and then shown again. */
 #define HINT_TICKS_MAX (5u * CORE_TICK_HZ)
-/* A dip is flat if the ring enters the water at this speed or faster, with a smaller pitch. The
- * water then pushes on the whole paper at once. */
+/* A dip is flat if the ring enters the water at FLAT_M_S or faster while its pitch is smaller than
+ * FLAT_RAD. The water then pushes on the whole paper at once. */
 #define FLAT_M_S 0.25f
 #define FLAT_RAD 0.2f
 /* Number of flat dips after which the hint to tilt the poi is shown. */

@@ -44,7 +44,7 @@ struct ghost {
 /* Lesson of one player. */
 struct lesson {
     uint16_t fish;      /* Index of the marked fish, or LESSON_NO_FISH. */
-    uint32_t fish_tick; /* Tick at which this fish was marked. */
+    uint32_t fish_tick; /* Tick at which the fish `fish` was marked. */
     /* State of the rules in hints.c for this player. `hints.shown` is the hint that fits the
      * player's situation. */
     struct hints hints;

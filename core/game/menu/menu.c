@@ -127,8 +127,9 @@ void menu_turn(struct menu *menu, const struct game *game, const struct settings
 {
     CORE_ASSERT(page < MENU_PAGE_COUNT);
     menu->page = (uint8_t)page;
-    menu->points = 0; /* Treat the pointer as if no item were under it, so that a pointer at rest
-                         highlights no item of the new page. */
+    /* Treat the pointer as if no item were under it, so that a pointer at rest highlights no item
+     * of the new page. */
+    menu->points = 0;
     if (menu_page_desc_of(menu->page)->open) {
         menu_page_desc_of(menu->page)->open(menu, game, settings);
     }
@@ -245,8 +246,9 @@ static bool point_at_tag_by_hand(const struct menu_scope *scope, const struct wo
     }
     if (!hand.present || uses_motion(menu)) {
         menu->has_hand = menu->points = 0;
-        menu->presses = 1; /* No pointer is present. A pointer that appears later selects nothing
-                              until its pose has been above the water. */
+        /* No pointer is present. A pointer that appears later selects nothing until its pose has
+         * been above the water. */
+        menu->presses = 1;
         return false;
     }
     const bool was_down = menu->presses || hand.player != menu->hand;
@@ -316,9 +318,9 @@ static void watch_input_test(struct menu *menu, const struct game *game,
     const bool is_used = input->pressed != 0 || input_coin_pulses(input) > 0;
     menu->use_tick = is_used ? game->tick : menu->use_tick;
     menu->act_tick = is_used || has_changed ? game->tick : menu->act_tick;
-    if (is_unkept && menu->page != MENU_PIN) { /* The store could not save the learned mapping of
-                                                  a controller, so the menu opens the page of the
-                                                  learn wizard. */
+    /* The store could not save the learned mapping of a controller, so the menu opens the page of
+     * the learn wizard. */
+    if (is_unkept && menu->page != MENU_PIN) {
         menu->row = input->controllers.learn_row;
         menu_turn(menu, game, settings, MENU_LEARN);
     }

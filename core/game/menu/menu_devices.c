@@ -70,8 +70,9 @@ uint16_t menu_learn_enabled(const struct menu *menu)
     CORE_ASSERT(menu->controllers.learn_step < LEARN_STEP_COUNT);
     switch (menu->controllers.learn_step) {
     case LEARN_NONE:
-        return MENU_TAG(LEARNS_END); /* The wizard has not started, or the controller is
-                                        disconnected, so the wizard can only be ended. */
+        /* The wizard has not started, or the controller is disconnected, so the wizard can only be
+         * ended. */
+        return MENU_TAG(LEARNS_END);
     case LEARN_TRY:
     case LEARN_NOT_SAVED: /* The mapping could not be saved. The operator may try again, for
                              example after an SD card was inserted. */
@@ -178,8 +179,8 @@ void menu_calibrate_activate(const struct menu_scope *scope, uint32_t tag)
         next_slot(calibrate);
     } else if (tag == CALIBRATE_BEGIN) {
         calibrate->step = CALIBRATE_CORNER;
-        calibrate->must_move = 1; /* The poi may still be in its holder, and must move before the
-                                     first pose counts. */
+        /* The poi may still be in its holder, and must move before the first pose counts. */
+        calibrate->must_move = 1;
     } else if (tag == CALIBRATE_UNDO) {
         memcpy(value, calibrate->before[calibrate->slot], sizeof value);
         swap_with(scope, value);

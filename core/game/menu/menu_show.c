@@ -19,11 +19,12 @@ struct tile {
 struct measures {
     struct layout_box body;
     uint32_t hung_columns; /* Largest number of large items that fit in one row. */
-    struct tile hung;      /* Size of a large item. `gap_y` is the space in which the renderer
-                              draws the pole that carries the items. */
+    /* Size of a large item. `gap_y` is the space in which the renderer draws the pole that carries
+     * the items. */
+    struct tile hung;
     float row_height, row_pitch;
-    float settings_height; /* Height of the list of settings in the body. The help text is
-                              below the list. */
+    /* Height of the list of settings in the body. The help text is below the list. */
+    float settings_height;
     uint32_t key_columns;
     float key_top;
     struct tile key;

@@ -119,8 +119,9 @@ void settings_edit_tick(const struct menu_scope *scope)
             continue;
         }
         if (!ledger_may_write(&scope->accounts->ledger, LEDGER_SETTING)) {
-            return; /* The ledger has no room. The next tick tries again, because every change of
-                       a setting must be logged. */
+            /* The ledger has no room. The next tick tries again, because every change of a setting
+             * must be logged. */
+            return;
         }
         const struct ledger_entry entry = { .kind = LEDGER_SETTING,
                                             .detail = (uint8_t)(id & 0xffu),

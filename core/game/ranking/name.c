@@ -35,8 +35,8 @@ static void ask_for_name(struct name *name, uint32_t tick)
     name->key = 0;
     name->letter_count = 0;
     name->points = 0;
-    name->presses = 1; /* A poi that is under water presses nothing until it has been above the
-                          water. */
+    /* A poi that is under water presses nothing until it has been above the water. */
+    name->presses = 1;
     name->held_ticks = 0;
     name->start_tick = name->act_tick = tick;
 }

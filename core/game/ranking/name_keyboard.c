@@ -71,11 +71,11 @@ uint16_t name_changed(uint16_t letter)
 /* Boxes and distances of the keyboard's keys that differ between the wide and the portrait
  * canvas. */
 struct measures {
-    struct layout_box cell;    /* Box of the first letter. */
-    struct layout_point pitch; /* Distance between two neighbouring letters in a row (x) and in a
-                                  column (y). */
-    struct layout_box key;     /* Box of the first function key. */
-    float key_pitch;           /* Distance between two neighbouring function keys. */
+    struct layout_box cell; /* Box of the first letter. */
+    /* Distance between two neighbouring letters in a row (x) and in a column (y). */
+    struct layout_point pitch;
+    struct layout_box key; /* Box of the first function key. */
+    float key_pitch;       /* Distance between two neighbouring function keys. */
 };
 
 static const struct measures wide = {

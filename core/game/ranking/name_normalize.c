@@ -26,8 +26,8 @@ static uint16_t hiragana(uint16_t letter)
     }
     for (uint32_t i = 0; small[i] != 0; i++) {
         if (small[i] == letter) {
-            return (uint16_t)(letter + 1u); /* Replace a small kana by the normal kana, which has
-                                               the next code point. */
+            /* Replace a small kana by the normal kana, which has the next code point. */
+            return (uint16_t)(letter + 1u);
         }
     }
     return letter;
@@ -55,8 +55,8 @@ uint32_t name_normalize(const char *utf8, enum name_ends ends, uint16_t out[NAME
         const uint32_t point = printable_next(&utf8);
         /* Letters above U+FFFF are not distinguished, because no such letter has another form. */
         const uint16_t raw = (uint16_t)(point <= 0xffffu ? point : PRINTABLE_MALFORMED);
-        const bool is_voicing = raw == 0xff9eu || raw == 0xff9fu; /* True for a half-width
-                                                                     voicing mark. */
+        /* True for a half-width voicing mark. */
+        const bool is_voicing = raw == 0xff9eu || raw == 0xff9fu;
         if (is_voicing && count > 0 && is_kana(out[count - 1u])) {
             out[count - 1u] = (uint16_t)(out[count - 1u] + raw - 0xff9du);
             continue;

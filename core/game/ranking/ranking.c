@@ -75,8 +75,8 @@ static void turn_days(struct ranking *ranking, const struct ledger_entry *entry)
     /* Weeks begin on Monday; day 0, 2000-01-01, was a Saturday. */
     const uint16_t week = (uint16_t)(((is_same ? ranking->day : entry->day) + 5u) / WEEK_DAYS);
     if (ranking->week == 0 && week_boots < WEEK_DAYS) {
-        ranking->week = week; /* The current week began without a clock, so its number was
-                                 unknown until now. */
+        /* The current week began without a clock, so its number was unknown until now. */
+        ranking->week = week;
     } else if (week != ranking->week) {
         begin_week(ranking, entry, week);
     }
