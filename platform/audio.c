@@ -33,7 +33,8 @@ static void render(void *context, Uint8 *bytes, int size)
         atomic_store(&audio->taken, ++taken);
     }
     const uint32_t frame_count = (uint32_t)size / (2u * (uint32_t)sizeof(int16_t));
-    void *const samples = bytes; /* SDL passes samples of type int16_t as bytes. */
+    /* SDL passes a pointer to bytes, but the samples in the buffer are of type int16_t. */
+    void *const samples = bytes;
     synth_render(&audio->synth, samples, frame_count);
 }
 

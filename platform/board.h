@@ -50,14 +50,15 @@ struct board_options {
     /* Number of USB controllers that may play without being selected in the menu. */
     uint32_t usb_count;
     const char (*usb)[BOARD_USB_SIZE];
-    uint32_t line_count; /* Number of GPIO line options. The last option for a role is used. */
+    /* Number of GPIO line options. If several options have the same role, the last one is used. */
+    uint32_t line_count;
     const char (*line)[BOARD_LINE_SIZE];
     /* Keyboard mode: BOARD_KEYBOARD_ON or BOARD_KEYBOARD_OFF. The caller has replaced
      * BOARD_KEYBOARD_AUTO by one of the two. */
     uint8_t keyboard;
     bool off_screen; /* True if frames are rendered without a screen, to write pictures. */
-    /* True if the renderer draws only the frames that are written as pictures. Used only if
-     * `off_screen` is true. */
+    /* True if the renderer draws only the frames that are written as pictures. Callers set this
+     * field only together with `off_screen`. */
     bool on_demand;
     bool full_screen;
     /* True if a screen may be connected after program start. Without a screen the display returns

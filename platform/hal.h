@@ -247,9 +247,9 @@ struct balance_change {
 struct hal_ledger_ops {
     /* Opens the ledger, the replay store and the edit store. */
     int (*open)(void *self);
-    /* Loads the persistent state at program start and sets ledger.boots to the number of this
-     * program start. A setting that was never changed in the menu keeps its value in `out`. If
-     * there is no store, leaves `out` unchanged. */
+    /* Loads the persistent state at program start. Sets ledger.boots to the number of program
+     * starts so far, including this one. A setting that was never changed in the menu keeps its
+     * value in `out`. If there is no store, leaves `out` unchanged. */
     int (*load)(void *self, struct persistent_state *out);
     /* Queues the next ledger entry. Each entry's id must be greater than the previous id. Copies
      * `entry`. Returns HAL_ERR_BUSY if the queue is full; the caller retries in the next frame. */

@@ -13,8 +13,8 @@
 
 #define WINDOW_WIDTH 1280
 #define WINDOW_HEIGHT 720
-/* Interval in ns between two reads of the display connectors' states. One read takes 40
- * microseconds. */
+/* Interval in ns between two checks whether a screen was plugged in or unplugged. One check takes
+ * 40 microseconds. */
 #define LOOK_NS 1000000000ull
 #define LOOKS 2u
 /* Number of frames that are drawn before the growth lab or the album is captured as a picture.
@@ -272,8 +272,8 @@ static int follow_size(struct display_gl *display)
     int height = 0;
     SDL_GL_GetDrawableSize(display->window, &width, &height);
     if ((SDL_GetWindowFlags(display->window) & SDL_WINDOW_MINIMIZED) || width <= 0 || height <= 0) {
-        return HAL_ERR_BUSY; /* A minimized or empty window has no area to draw on. This state is
-                                not an error. */
+        /* The window is minimized or empty and has no area to draw on, which is not an error. */
+        return HAL_ERR_BUSY;
     }
     const struct renderer_config *const drawn = &display->renderer.config;
     if (drawn->width == (uint32_t)width && drawn->height == (uint32_t)height) {

@@ -22,7 +22,8 @@ struct display_gl_config {
     uint32_t width, height;
     bool full_screen;
     bool off_screen; /* True to use SDL's offscreen driver, which needs no window system. */
-    /* True to draw only when a picture is captured. Used together with `off_screen`. */
+    /* True to draw only when a picture is captured. Callers set this field only together with
+     * `off_screen`. */
     bool on_demand;
     const char *title; /* Window title. Null means "Kingyo". */
     /* Width of the underwater scene's picture in pixels, divided by the width of the screen in
@@ -43,8 +44,8 @@ struct display_gl {
     SDL_Window *window;
     SDL_GLContext context;
     struct renderer renderer;
-    /* Last scene shown. capture() draws the scene again because a buffer swap destroys the back
-     * buffer. */
+    /* Scene that was shown last. capture() draws this scene again, because a buffer swap destroys
+     * the drawn picture. */
     struct scene shown;
     /* Rotation, margins and brightness of the picture. These settings are kept when a lost screen
      * is replaced. */

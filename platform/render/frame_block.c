@@ -96,9 +96,9 @@ void frame_begin(struct frame *frame, const struct scene *scene,
     const float loops = f_floor(layers / (float)ASSET_CAUSTICS_FRAMES);
     const vec3 size = scene->tank_size_m;
     set_camera(frame, &scene->view, transform);
-    /* `bend` is the displacement of the refracted picture on the screen per unit of surface slope.
-     * The displacement is computed for a point at the camera's target. Elsewhere in the tank the
-     * error is a few per cent. */
+    /* `bend` is the displacement of the refracted picture on the screen per unit of slope of the
+     * water surface. The displacement is computed for a point at the camera's target. Elsewhere in
+     * the tank the error is a few per cent. */
     const struct view *const view = &scene->view;
     const struct basis axes = view_basis(view);
     const float distance = v3_length(v3_sub(view->eye_m, view->target_m));

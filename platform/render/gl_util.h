@@ -16,8 +16,9 @@
 /* Number of textures in a ring buffer (struct gl_ring). A ring buffer is used for a texture whose
  * texels change in each frame. */
 #define GL_RING 3u
-#define GL_TEXTURE_SURE 2048u /* Texture side in texels that every OpenGL ES 3.0 driver supports. */
-/* Number of layers of an array texture that every OpenGL ES 3.0 driver supports. */
+/* Side of a texture in texels that is supported by every OpenGL ES 3.0 driver. */
+#define GL_TEXTURE_SURE 2048u
+/* Number of layers of an array texture that is supported by every OpenGL ES 3.0 driver. */
 #define GL_LAYERS_SURE 256u
 
 /* The first failure, as one line that names the object and the reason. The text is empty if nothing

@@ -69,9 +69,7 @@ void paint_atlas_find(const struct species_vertex *vertex, float uv[2])
     uv[1] = texel_centre(place.y, place.height, vertex->v);
 }
 
-/* Inverts texel_centre(): returns the fraction [0, 1] of the way from the centre of texel row or
- * column `first` to the centre of the last of `count` rows or columns at which the texel position
- * `at` lies. */
+/* Inverse of texel_centre(): returns `t` in [0, 1] for the position `at` in texels. */
 static float share_along(float at, uint32_t first, uint32_t count)
 {
     return f_clamp((at - (float)first - 0.5f) / (float)(count - 1u), 0.0f, 1.0f);

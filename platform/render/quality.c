@@ -100,8 +100,8 @@ struct quality quality_lower(const struct quality *best, uint32_t step)
 
 #define NS_PER_S 1000000000ull
 #define STALL_NS (NS_PER_S / 4u)
-/* Minimum number of consecutive stalls (very long frames) for which slow drawing is assumed to be
- * the cause. */
+/* Number of consecutive stalls (very long frames) from which slow drawing is assumed to be the
+ * cause. Fewer stalls are assumed to have another cause. */
 #define STALLS 3u
 #define HZ 60u
 /* Maximum mean frame duration that counts as on time, in per cent of a refresh period. At this

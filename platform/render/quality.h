@@ -76,8 +76,8 @@ struct governor {
     /* Total duration in ns (`sum_ns`) and number (`count`) of the frames in the current measurement
      * interval. */
     uint64_t sum_ns, count;
-    /* Number of consecutive stalls. A stall is a frame whose duration is too long to be caused by
-     * drawing. */
+    /* Number of consecutive stalls. A stall is a frame longer than a quarter of a second, which
+     * usually has another cause than drawing. */
     uint32_t stalls;
     uint32_t timely_s; /* Number of consecutive seconds without late frames. */
     /* Number of seconds without late frames that must pass before a finer quality step is tried. */

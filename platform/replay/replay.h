@@ -51,9 +51,9 @@
 #define REPLAY_VERSION 9u
 /* Oldest format version that the reader accepts. A recording of an older version is simulated under
  * the rules of that version (config_has_rules() in core/config.h). Versions below 7 are rejected
- * because their recordings lack data. Version 1 lacks shadows, version 2 game modes, version 3 the
- * growth lab, version 4 credits and the operator's controllers, version 5 the ledger, and version 6
- * wrong PINs. */
+ * because their recordings lack data: the shadows (version 1), the game modes (up to version 2),
+ * the growth lab (up to version 3), the credits and the operator's controllers (up to version 4),
+ * the ledger (up to version 5), and the wrong PINs (up to version 6). */
 #define REPLAY_VERSION_MIN 7u
 
 /* Sizes in bytes of the header, the head of a chunk, the end mark and a checksum. */

@@ -111,7 +111,7 @@ static void give_up(struct replay_writer *writer, int error)
     writer->error = -error;
 }
 
-/* Opens an empty file. Returns a descriptor or a negative errno. Only the owner may read a
+/* Opens a new or empty file. Returns a descriptor or a negative errno. Only the owner may read a
  * recording, because its initial state contains the operator's settings and takings. A file with
  * content is never overwritten, because its recording cannot be produced a second time. */
 static int open_empty(const char *path)
@@ -184,7 +184,8 @@ static void restore(struct replay_writer *writer)
         ftruncate(writer->fd, (off_t)(writer->offset + sizeof end)) != 0) {
         error = -errno;
     }
-    (void)error; /* A second error is ignored because the recording has already failed. */
+    /* An error of this function is ignored because the recording has already failed. */
+    (void)error;
 }
 
 /* Completes the current chunk: writes the head of `chunk`, the checksum and an end mark. The caller

@@ -23,7 +23,8 @@
 /* Maximum number of finlets (small fins behind the dorsal or anal fin) in a row. A bigeye tuna has
  * eight to ten finlets in each of its two rows. */
 #define FINLET_MAX 10
-#define AREA_MAX 4 /* Maximum number of painted areas that one deformation curve moves. */
+/* Maximum number of painted areas (struct area) that one deformation curve moves. */
+#define AREA_MAX 4
 /* Body coordinate u of the rear edge of the gill cover, the same in every key (modelled growth
  * stage). The edge's coordinate x in the drawings differs from key to key. */
 #define GILL_U 0.30f
@@ -49,7 +50,8 @@ struct fin {
     /* Position of a paired fin on the cross section. 0 is the middle of the back, 0.25 the flank,
      * and 0.5 the middle of the belly. */
     float girth;
-    /* Angle in degrees by which the tip of a ray is bent in addition to the ray's direction. */
+    /* Angle in degrees by which a ray is bent at its tip. The angle is added to the direction of
+     * the ray. */
     float curl_deg;
     uint32_t ray_count;
     struct ray rays[RAY_MAX];

@@ -13,8 +13,8 @@
 /* Minimum visible length of a fin ray, as a fraction of the distance from the snout to the tail
  * root. A shorter ray has no usable normal. */
 #define SHOWN_MIN 0.004
-/* Upper limit of the depth of the fins' roots in a thin body, as a fraction of the body's
- * thickness. */
+/* Upper limit of the depth of the fins' roots below the skin in a thin body, as a fraction of the
+ * body's thickness. The smaller of FIN_SINK and this limit applies. */
 #define SINK_SHARE 0.3
 /* Distance from the tail root forward to the point inside the body at which the tail fin's rays
  * start. The unit is the distance from the snout to the tail root. */
@@ -31,8 +31,8 @@
 /* Sideways angle of an unpaired fin's ray at its root, as a fraction of the sideways angle at the
  * tip of the ray. */
 #define SIDE_AT_ROOT 0.4
-/* Minimum distance from the middle of the tail stalk to the upper end, and to the lower end, of the
- * tail fin's base. The value is a fraction of the maximum distance, which the height of the stalk
+/* Minimum distance from the middle of the tail stalk to each end (upper and lower) of the tail
+ * fin's base. The value is a fraction of the maximum distance, which the height of the stalk
  * determines. */
 #define THINNEST 0.2
 #define RAY_STEPS 12

@@ -21,7 +21,8 @@ struct poi_pool {
 
 /* Returns the pool of water that a poi carries. The pool's surface is horizontal in every pose of
  * the poi. The water lies in the sagging paper or against the low side of the ring. If the poi is
- * upside down, the water lies inside the ring. The pool's volume equals the scene's `water_m`. */
+ * upside down, the water lies inside the ring. The pool and the film on the paper together contain
+ * the water of poi->water_m, a mean depth over the paper. */
 struct poi_pool poi_pool_of(const struct scene_poi *poi);
 
 struct poi_pass {

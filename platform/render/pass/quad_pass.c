@@ -13,7 +13,7 @@
  * form streams of water. DROPS_LOOSE must equal LOOSE in drip.vert.glsl. */
 #define DROPS_LOOSE 5
 #define DROPS_STREAM 36
-/* Minimum mean depth in metres of the water on the paper at which drops fall. A thinner layer of
+/* Minimum mean depth in metres of the water on the paper from which drops fall. A thinner layer of
  * water adheres to the paper. */
 #define DRIPS_FROM_M 0.0002f
 /* Mean depth in metres of the water on the paper from which the maximum of DROPS_LOOSE drops
@@ -30,8 +30,8 @@
 /* Half the angle of the arc, around the lowest point of a steep ring, from which streams fall. From
  * a level ring, streams fall all around. */
 #define STREAMS_STEEP_RAD 0.6f
-/* Minimum height in metres above the water surface of the poi's low side, from which the drops
- * fall. */
+/* Drops fall from the low side of the poi only if this side is at least this height in metres above
+ * the water surface. */
 #define CLEAR_M 0.008f
 /* Distance of the drops from the paper's centre, in paper radii. Drops fall from the outer edge of
  * the ring around the paper. */

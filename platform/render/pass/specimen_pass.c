@@ -84,8 +84,8 @@ static void specimen_pass_fill_slot(struct specimen_pass *pass, struct specimen_
         fish_mesh_fill(&slot->mesh[lod], &pass->memory, &species->lod[lod],
                        species->card.key_count);
     }
-    /* If a built-in species has identical paint, this species shares its texture. Therefore the
-     * ordinary morph (colour variety) of a species needs no texture of its own. */
+    /* If a built-in species has identical paint, this species shares its texture. For example, the
+     * growth lab's comparison fish is a copy of a species with other shapes and the same paint. */
     slot->worn = &slot->skin;
     for (uint32_t i = 0; i < SPECIES_BUILT_IN && slot->worn == &slot->skin; i++) {
         const struct species *const other = pass->slots[i].species;

@@ -36,9 +36,9 @@ static void duration_words(const struct ui_frame *frame, uint32_t round_s, char 
                 is_even ? round_s / 60u : round_s);
 }
 
-/* Distances (.._y) of the texts on a tag from the tag's lower edge, and sizes of the texts, in
- * layout units. `name_size` is the size in Japanese, and `name_size_stall` the size in other
- * languages. */
+/* Layout of the texts on a tag in layout units. `name_y` and `line_y` are distances from the tag's
+ * lower edge, and the other fields are text sizes. `name_size` is the size in Japanese, and
+ * `name_size_stall` the size in other languages. */
 struct tag_layout {
     float name_y, name_size, name_size_stall, line_y[2], line_size;
 };

@@ -44,8 +44,8 @@ static void draw_mark(const struct ui_frame *frame, uint32_t player)
     frame->batch->opacity = 1.0f;
 }
 
-/* Draws one chevron whose tip is at (x, y). (`ahead_x`, `ahead_y`) is the unit vector in which the
- * chevron points. */
+/* Draws one chevron whose tip is at (x, y). The chevron points in the direction of the unit vector
+ * (`ahead_x`, `ahead_y`). */
 static void draw_chevron(const struct ui_frame *frame, float x, float y, float ahead_x,
                          float ahead_y, float width, uint32_t colour)
 {

@@ -66,7 +66,8 @@ struct ui_box ui_inset(struct ui_box box, float margin);
 
 /* Returns a colour with its alpha multiplied by `alpha` [0, 1]. */
 uint32_t ui_fade(uint32_t colour, float alpha);
-/* Returns a smooth pulse from 0 to 1 and back to 0 with period `period_s`. */
+/* Returns the value at `time_s` of a smooth pulse, which goes from 0 to 1 and back to 0 in each
+ * period of `period_s` seconds. */
 float ui_pulse(float time_s, float period_s);
 
 /* Position (x, y) in pixels on the screen of a point in the tank, and length in pixels of one metre

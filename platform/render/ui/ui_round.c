@@ -172,8 +172,8 @@ static bool is_long(const struct scene *scene)
     return scene->phase_s + scene->seconds_left > LONG_ROUND_S;
 }
 
-/* Draws the remaining time, centred at (x, y). In a long round the time is in minutes and seconds.
- * Otherwise the time is in seconds inside a ring. */
+/* Draws the remaining time, centred at (x, y): in minutes and seconds in a long round, otherwise in
+ * seconds inside a ring. */
 static void clock_at(const struct ui_frame *frame, float x, float y)
 {
     const struct scene *const scene = frame->scene;

@@ -13,7 +13,8 @@
 #define RIM_SIDES 28u    /* Number of straight segments of the drawn ring. */
 #define VIEW_DOWN 0.57f  /* Sine of the angle by which the picture looks down on the water. */
 #define VIEW_LEVEL 0.82f /* Cosine of the angle by which the picture looks down on the water. */
-/* The arrow of the poi's motion is as long as the way of the poi in this time in seconds. */
+/* Time in seconds that gives the length of the arrow of the poi's motion: the arrow is as long as
+ * the poi's way in this time. */
 #define ARROW_S 0.25f
 #define ARROW_MAX 78.0f /* Maximum length, in layout units, of the arrow of the poi's motion. */
 #define MOVES_M_S 0.03f /* Minimum speed, in m/s, of a poi whose motion is shown by an arrow. */

@@ -93,9 +93,9 @@ static float ruler_step_m(float px_per_m, float least_px)
     return power;
 }
 
-/* Draws a bamboo ruler below the fish, whose zero is at the fish's snout. A bracket on the ruler
- * marks the length that is usually measured for the species, for example with or without the tail
- * fin. */
+/* Draws a bamboo ruler below the fish. The zero of the ruler is at the fish's snout. A bracket on
+ * the ruler marks the length that is usually measured for the species, for example with or without
+ * the tail fin. */
 static void ruler(const struct ui_frame *frame, const struct tank_room *room,
                   const struct specimen *fish)
 {

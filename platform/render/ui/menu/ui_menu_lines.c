@@ -15,8 +15,8 @@ static const enum text_key names[INPUT_BUTTON_COUNT + 1u] = {
     TEXT_LINE_START, TEXT_LINE_LEFT,    TEXT_LINE_RIGHT, TEXT_LINE_OK,   TEXT_LINE_LANGUAGE,
     TEXT_LINE_TEST,  TEXT_LINE_SERVICE, TEXT_LINE_TILT,  TEXT_LINE_DOOR, TEXT_LINE_COIN,
 };
-/* Index of the page's cell for the coin input line. The cells of the buttons have the lower
- * indices, in the order of the buttons' bits. */
+/* Index of the page's cell for the coin input line. The cells of the buttons come before this cell,
+ * in the order of the buttons' bits. */
 #define COIN INPUT_BUTTON_COUNT
 
 /* Draws the state of the input line before debouncing in the lower corners of `box`: a square lamp
