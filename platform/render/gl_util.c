@@ -302,9 +302,8 @@ GLuint gl_link(struct gl_status *status, const char *name, GLuint vertex, GLuint
 
 void gl_program_bind(GLuint program, const char *samplers)
 {
-    static const char *const blocks[] = { "Frame",
-                                          "Pose" }; /* Names of the uniform blocks, indexed by
-                                                                binding point. */
+    /* Names of the uniform blocks, indexed by binding point. */
+    static const char *const blocks[] = { "Frame", "Pose" };
     CORE_ASSERT(program != 0 && samplers);
     for (GLuint point = 0; point < 2u; point++) {
         const GLuint block = glGetUniformBlockIndex(program, blocks[point]);

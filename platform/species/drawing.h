@@ -110,11 +110,10 @@ struct curve_text {
 };
 
 struct species_text {
-    struct species_card
-        /* Card of the species, with the names of its keys and its graphs. While the species text is
-         * parsed, a key with a negative age has no age in the text. Its age is later computed from
-         * its length. */
-        card;
+    /* Card of the species, with the names of its keys and its graphs. While the species text is
+     * parsed, a key with a negative age has no age in the text. Its age is later computed from its
+     * length. */
+    struct species_card card;
     /* True if the dorsal fin, the tail fin and the anal fin form one continuous fin, as in an
      * eel. */
     bool confluent;

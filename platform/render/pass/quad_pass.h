@@ -9,8 +9,8 @@
 struct quad_pass {
     GLuint no_attributes; /* Vertex array without attributes. */
     GLuint bubble_program, drip_program, fan_program, dark_program;
-    GLint stone, lip, hub, low, across, fan_pose, fan_trim,
-        dark; /* Each GLint is the location of a shader uniform. */
+    /* Locations of the shader uniforms. fan_pose and fan_trim belong to the uniforms `pose` and `trim`. */
+    GLint stone, lip, hub, low, across, fan_pose, fan_trim, dark;
 };
 
 void quad_pass_open(struct gl_status *status, struct quad_pass *pass);

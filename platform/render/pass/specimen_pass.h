@@ -46,8 +46,8 @@ struct specimen_slot {
      * species with identical paint. */
     struct fish_texture *worn;
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
-    struct morph_rig
-        rig; /* Deformation graphs of the species in the cache slot, prepared for computing poses. */
+    /* Deformation graphs of the species in the cache slot, prepared for computing poses. */
+    struct morph_rig rig;
     struct fish_texture skin;
 };
 

@@ -16,11 +16,10 @@
 /* A line of an account book shows a name, and a counter or the quotient of two counters. */
 struct book_line {
     enum text_key name;
-    uint8_t audit,
-        by; /* `audit` is the index of the shown counter, or AUDIT_COUNT + a level for the
-                          number of rounds at this level. `by` is the index of the
-                          counter by which the shown counter is divided. A `by` of 0 means no
-                          division, because counter 0 is never a divisor. */
+    /* `audit` is the index of the shown counter, or AUDIT_COUNT + a level for the number of rounds
+     * at this level. `by` is the index of the counter by which the shown counter is divided. A `by`
+     * of 0 means no division, because counter 0 is never a divisor. */
+    uint8_t audit, by;
     /* Constant by which the value is divided in addition, for example 3600 to convert seconds to
      * hours. 0 means no division. */
     uint16_t over;
