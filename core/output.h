@@ -103,7 +103,8 @@ struct lab_edit {
     /* Number of entries in `scale_knots`, as in struct species_card. 0 means that the growth curve
      * determines the scale. */
     uint8_t scale_knot_count;
-    struct graph graph; /* Deformation graph of the whole fish. */
+    /* Deformation graph: weights of the key shapes of the whole fish over its life. */
+    struct graph graph;
     struct scale_knot scale_knots[GRAPH_KNOT_MAX];
 };
 

@@ -25,7 +25,8 @@ struct scene_lab {
     uint8_t points; /* Part of the lab page under the pointer (enum lab_part). */
     uint8_t presses, has_hand, upright;
     uint8_t holds; /* Element that is dragged (enum lab_hold). */
-    /* Knot of the graph or of the scale curve that is dragged; 255 means none. */
+    /* Index of the knot (control point) of the graph or of the scale curve that is dragged; 255
+     * means none. */
     uint8_t held_knot;
     /* Progress of saving after the last press of SAVE (enum scene_keeping). */
     uint8_t keeping;

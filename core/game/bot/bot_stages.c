@@ -37,8 +37,8 @@ static bool bot_saw_since(const struct bot *bot, float after_s)
     return seen_s >= after_s;
 }
 
-/* Starts the stage `stage`. The stages before BOT_APPROACH and after BOT_GLIDE have no target fish,
- * so these stages clear it. */
+/* Starts the stage `stage`. The start of a stage before BOT_APPROACH or after BOT_GLIDE clears the
+ * target fish, because these stages have none. */
 static void bot_set_stage(struct bot *bot, uint8_t stage, uint32_t tick)
 {
     CORE_ASSERT(stage < BOT_STAGE_COUNT);

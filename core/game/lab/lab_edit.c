@@ -1,4 +1,4 @@
-/* lab_edit.c -- functions that drag, add and remove knots of a species' curves. */
+/* lab_edit.c -- functions that drag, add and remove knots (control points) of a species' curves. */
 #include "core/game/lab/lab_edit.h"
 
 #include "core/base/mem.h"
@@ -187,7 +187,8 @@ static void draw_knot(struct scale_line *line, struct scale_knot knot)
 }
 
 /* Returns true if the fish both grows and shrinks between the two keys before and after `age_days`.
- * A conger, for example, does so before its eel shape. */
+ * The larva of a conger, for example, grows and then shrinks before it takes the shape of an
+ * eel. */
 static bool is_in_a_turn(const struct species_card *card, float age_days)
 {
     CORE_ASSERT(card->key_count <= MORPH_KEY_MAX);

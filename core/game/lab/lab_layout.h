@@ -26,7 +26,8 @@ enum lab_part {
     LAB_SMOOTH,
     LAB_ADD,
     LAB_REMOVE,
-    LAB_SIZE, /* Button that selects the scale curve for editing. */
+    /* Button that selects the scale curve (the length of the fish over its life) for editing. */
+    LAB_SIZE,
     LAB_SAVE,
     LAB_RESET,
     LAB_KEY, /* Picture of the first key shape; the pictures of the other key shapes follow. */

@@ -1,4 +1,5 @@
-/* lab_press.c -- handles the buttons of the growth lab, and drags knots. */
+/* lab_press.c -- handles the buttons of the growth lab, and drags the knots (control points) of the
+ * curves. */
 #include "core/game/lab/lab.h"
 
 #include "core/base/mem.h"
@@ -58,8 +59,8 @@ static void save(struct lab *lab, const struct lab_book *book, struct output *ou
     memcpy(output->edit.species, card->id, sizeof output->edit.species);
 }
 
-/* Adds a knot to the edited curve at the displayed progress if `adds` is true, otherwise removes
- * the nearest knot. A change that would make the graph invalid is discarded. */
+/* Adds a knot (control point) to the edited curve at the displayed progress if `adds` is true,
+ * otherwise removes the nearest knot. A change that would make the graph invalid is discarded. */
 static void change_knots(struct lab *lab, const struct lab_book *book, bool adds)
 {
     CORE_ASSERT(lab->layer <= LAB_LAYER_SIZE);

@@ -39,8 +39,8 @@ struct album {
 #define LAB_REST_TICKS (5u * CORE_TICK_HZ / 2u)
 /* Time for which START must be held to leave the growth lab. */
 #define LAB_END_TICKS (3u * CORE_TICK_HZ / 2u)
-/* Distance on the canvas between a press and a knot of the graph within which the press grabs the
- * knot. */
+/* Largest distance on the canvas between a press and a knot (control point) of the graph at which
+ * the press grabs the knot. */
 #define LAB_GRAB 24.0f
 
 /* Element that the pointer drags, from the press to the release. */
@@ -50,9 +50,12 @@ enum lab_hold {
     HOLD_CHART, /* The pointer drags along the growth curve, which selects the displayed age. */
     /* The pointer drags along the graph, which selects the displayed progress of the life. */
     HOLD_PLOT,
-    /* The pointer drags a knot of the weight curve of the key shape that `layer` selects. */
+    /* The pointer drags a knot (control point) of the weight curve of the key shape that `layer`
+     * selects. */
     HOLD_WEIGHT,
-    HOLD_SIZE, /* The pointer drags a knot of the scale curve. */
+    /* The pointer drags a knot of the scale curve, which gives the length of the fish over its
+     * life. */
+    HOLD_SIZE,
     HOLD_BUTTON,
     HOLD_LEAVE, /* The pointer presses the leave button, which acts when it is released. */
 };

@@ -57,8 +57,8 @@ struct leaderboard_place {
 /* Returns the board of the mode and level of the current or last round (ranking_board()). */
 uint32_t leaderboard_board(const struct game *game);
 
-/* Returns the best place of slot `slot` in the last ranked round, on that round's board. The place
- * is 0 if the slot is not ranked. */
+/* Returns the best place of slot `slot` in the last ranked round, on the leaderboards of the
+ * round's mode and level. The place is 0 if the slot is not ranked. */
 struct leaderboard_place leaderboard_best_place(const struct game *game, uint8_t slot);
 
 /* Runs one tick of the leaderboard phase, which follows the name entry. START or a dip starts a
