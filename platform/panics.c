@@ -112,7 +112,9 @@ const char *panics_left_name(uint32_t left)
 static int open_file(int folder, int flags)
 {
     const int file = file_handle_at(folder, PANICS_FILE, flags, 0600);
-    if (file < 0) { /* The name may belong to a link, a socket, a FIFO or a folder. */
+    if (file < 0) {
+        /* One reason for the failure is that the name belongs to a link, a socket, a FIFO or a
+         * folder. */
         return errno == ELOOP || errno == EISDIR ? -ENOTSUP : -errno;
     }
     return file;

@@ -34,7 +34,9 @@ struct tape {
                         reading, a position beyond `size` means that the input was too short.
                         Missing bytes are read as zeros. */
     bool writing;
-    const char *too_many; /* Name of the first count that exceeded its maximum. Null means none. */
+    /* Name of the first table whose count of entries exceeded its maximum. Null means that no count
+     * did. */
+    const char *too_many;
 };
 
 /* Copies `size` bytes between `data` and the current position of the buffer. `writing` of the tape

@@ -50,8 +50,7 @@ static inline v3d v3d_unit(v3d a)
                           : (v3d){ 0.0, 1.0, 0.0 };
 }
 
-/* Maximum value of `width` in shape_interpolate(): the number of floats in one of the interpolated
- * structures. */
+/* Maximum number of floats in a structure that shape_interpolate() interpolates (`width`). */
 #define SHAPE_FIELD_MAX 5
 /* Interpolates between the `count` structures at `rows`, and writes the structure at the position
  * `at` to `out`. Each structure consists of `width` floats. The first float is the structure's

@@ -12,7 +12,7 @@
 #define LIP_ROWS 4u
 /* Thickness of the bowl's wall in mouth radii. The value corresponds to 2 mm of enamelled steel. */
 #define WALL 0.030f
-#define BOTTOM 0.94f /* Depth of the inner floor, in bowl depths. */
+#define BOTTOM 0.94f /* Depth of the bowl's inner floor below the mouth, in bowl depths. */
 #define DISC_ROWS 2u
 
 struct lathe {

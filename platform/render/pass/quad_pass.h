@@ -9,7 +9,8 @@
 struct quad_pass {
     GLuint no_attributes; /* Vertex array without attributes. */
     GLuint bubble_program, drip_program, fan_program, dark_program;
-    /* Locations of the shader uniforms. fan_pose and fan_trim belong to the uniforms `pose` and `trim`. */
+    /* Locations of the shader uniforms. fan_pose and fan_trim belong to the uniforms `pose` and
+     * `trim` of the program for fans. */
     GLint stone, lip, hub, low, across, fan_pose, fan_trim, dark;
 };
 

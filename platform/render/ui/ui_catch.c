@@ -31,7 +31,8 @@ static int32_t flight_age(const struct ui_memory *memory, uint32_t tick, uint32_
     return (int32_t)(tick - memory->flight_tick[player][number % UI_FLIGHT_MAX]);
 }
 
-/* Returns for how many of `caught` fish, beginning with the newest, `flight_tick` has an entry. */
+/* Returns for how many of `caught` fish the start of the flight is stored. These are the newest
+ * fish. */
 static uint32_t flight_count(uint32_t caught)
 {
     return caught < UI_FLIGHT_MAX ? caught : UI_FLIGHT_MAX;
