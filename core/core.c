@@ -337,7 +337,7 @@ uint64_t core_hash_quick(const struct core *core)
 
 static uint64_t settings_edit_hash(uint64_t hash, const struct settings_edit *edit, bool hashes_pin)
 {
-    return field_hash(settings_hash(hash, &edit->told, hashes_pin), &settings_edit_fields, edit);
+    return field_hash(settings_hash(hash, &edit->logged, hashes_pin), &settings_edit_fields, edit);
 }
 
 uint64_t core_hash(const struct core *core)

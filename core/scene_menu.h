@@ -14,9 +14,9 @@
 /* State of the self-test page, on which the operator tests whether the kiosk is ready for opening
  * (core/game/menu/menu.h). */
 struct scene_self_test {
-    /* `heard` is the operator's answer about the sound, `moved` the answer about the lamp and the
-     * coin slot. */
-    uint8_t heard, moved;
+    /* `sound_answer` is the operator's answer about the sound, `lamp_answer` the answer about the
+     * lamp and the coin slot. */
+    uint8_t sound_answer, lamp_answer;
     /* Bit masks of the slots with a controller and of the slots in play. */
     uint8_t present, players;
     /* States of the checks of the store and of the clock (enum self_state). */

@@ -76,12 +76,12 @@ static void usb_open(struct hal *hal, const struct board_options *options)
         .listed_count = usb.listed_count,
         .report = log_controller_warning,
     };
-    struct board_options told = *options;
-    hid_mapping_store_open(&usb.store, options->data_dir, complain_of_file, &told);
+    struct board_options report_options = *options;
+    hid_mapping_store_open(&usb.store, options->data_dir, complain_of_file, &report_options);
     hid_mapping_store_set_error_sink(&usb.store, log_controller_warning, NULL);
     usb.transport = usb_transport_start(&config, usb.text);
     if (usb.text[0]) {
-        complain_of_file(&told, usb.text);
+        complain_of_file(&report_options, usb.text);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         pois[i] = &usb.poi[i];

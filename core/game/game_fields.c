@@ -83,7 +83,7 @@ static const struct field_table health_log_fields = FIELD_TABLE(health_log,
 
 #define STRUCT settings_edit
 const struct field_table settings_edit_fields = FIELD_TABLE(settings_edit,
-    FIELD(turn_tick), FIELD(entry_id), FIELD(pin_wrong), FIELD(pin_tick), FIELD_SKIP(told));
+    FIELD(turn_tick), FIELD(entry_id), FIELD(pin_wrong), FIELD(pin_tick), FIELD_SKIP(logged));
 #undef STRUCT
 
 /* Members of struct game_session. session_hash() hashes the members in FIELD_SKIP() separately. */
@@ -199,13 +199,13 @@ const struct field_table bot_fields = FIELD_TABLE(bot,
 #define STRUCT calibrate
 static const struct field_table calibrate_fields = FIELD_TABLE(calibrate,
     FIELD(slot), FIELD(step), FIELD(fault), FIELD(present), FIELD(is_set), FIELD(has_before),
-    FIELD(has_anchor), FIELD(must_move), FIELD(still_ticks), FIELD(said.has_wrist),
-    FIELD(before), FIELD(said.corner_m), FIELD(anchor), FIELD(sum), FIELD(said.water));
+    FIELD(has_anchor), FIELD(must_move), FIELD(still_ticks), FIELD(sample.has_wrist),
+    FIELD(before), FIELD(sample.corner_m), FIELD(anchor), FIELD(sum), FIELD(sample.water));
 #undef STRUCT
 
 #define STRUCT self_test
 static const struct field_table self_test_fields = FIELD_TABLE(self_test,
-    FIELD(heard), FIELD(moved), FIELD(present), FIELD(knows_first), FIELD(begin_tick),
+    FIELD(sound_answer), FIELD(lamp_answer), FIELD(present), FIELD(has_first_m), FIELD(begin_tick),
     FIELD(entry_id), FIELD(ways[0]), FIELD(worst_age[0]), FIELD(first_m[0]), FIELD(ways[1]),
     FIELD(worst_age[1]), FIELD(first_m[1]), FIELD(ways[2]), FIELD(worst_age[2]),
     FIELD(first_m[2]), FIELD(ways[3]), FIELD(worst_age[3]), FIELD(first_m[3]));
@@ -251,7 +251,7 @@ static const struct field_table player_fields = FIELD_TABLE(player,
 
 #define STRUCT input_validation
 static const struct field_table input_validation_fields = FIELD_TABLE(input_validation,
-    FIELD(verdict), FIELD(knows), FIELD(same_ticks), FIELD(agree_ticks), FIELD(silent_ticks),
+    FIELD(verdict), FIELD(has_newest), FIELD(same_ticks), FIELD(agree_ticks), FIELD(silent_ticks),
     FIELD(late_ticks), FIELD(excess_m), FIELD(spin), FIELD(newest));
 #undef STRUCT
 

@@ -138,19 +138,19 @@ static void show_outputs(const struct game *game, const struct core_config *conf
 }
 
 void game_tick(struct game *game, struct world *world, struct core_config *config,
-               const struct input *said, struct output *output, struct poi_target targets[POI_MAX],
+               const struct input *raw, struct output *output, struct poi_target targets[POI_MAX],
                uint8_t live[POI_MAX])
 {
     CORE_ASSERT(game->mode < MODE_COUNT && game->language < LANGUAGE_COUNT);
     CORE_ASSERT(game->phase <= PHASE_LEADERBOARD);
     const struct menu_scope scope = menu_scope_of(game, config, output);
-    struct input own = *said;
+    struct input own = *raw;
     const struct input *input = &own;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         input_calibration_apply(&config->persistent.settings, i, &own.poi[i]);
         input_validation_tick(&game->control[i].validation, &own.poi[i]);
     }
-    menu_calibrate_tick(&scope, world, said);
+    menu_calibrate_tick(&scope, world, raw);
     session_language_tick(game, config, input);
     ledger_tick(&game->accounts.ledger, config, input);
     health_log_tick(&game->accounts, &game->health_log, game, config, input, output);
@@ -164,7 +164,7 @@ void game_tick(struct game *game, struct world *world, struct core_config *confi
     } else if (phase == PHASE_NAME) {
         name_keep(&game->accounts, &game->name, game->tick, output);
     }
-    self_test_tick(&scope, said);
+    self_test_tick(&scope, raw);
     settings_edit_tick(&scope);
     controller_assign(game, world, input);
     controller_tick_all(game->control, game->bot, game, world, config, input, targets, live);

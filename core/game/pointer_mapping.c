@@ -51,15 +51,15 @@ struct pointer_state pointer_of_player(const struct world *world, const struct i
                                        bool upright, uint32_t player)
 {
     CORE_ASSERT(player < POI_MAX);
-    const struct poi_input *says = &input->poi[player];
-    if (says->link != POI_SOURCE_LIVE || !input_pose_is_finite(&says->target)) {
+    const struct poi_input *reported = &input->poi[player];
+    if (reported->link != POI_SOURCE_LIVE || !input_pose_is_finite(&reported->target)) {
         return (struct pointer_state){ 0 };
     }
-    const vec3 hand_m = says->target.position_m, tank_m = world->tank.size_m;
+    const vec3 hand_m = reported->target.position_m, tank_m = world->tank.size_m;
     const struct layout_point canvas = pointer_layout_size(upright);
     struct layout_point at = { canvas.x * (0.5f + hand_m.x / tank_m.x),
                                canvas.y * (0.5f + hand_m.z / tank_m.z) };
-    if (!says->has_wrist) {
+    if (!reported->has_wrist) {
         at = pointer_project(&tank_preset(world->tank.preset)->view, upright, hand_m);
     }
     return (struct pointer_state){

@@ -38,8 +38,8 @@ struct health_log {
 #define SETTINGS_EDIT_REST_TICKS (CORE_TICK_HZ / 2u)
 
 struct settings_edit {
-    struct settings told; /* Values of all settings as they were last logged in the ledger. */
-    uint32_t turn_tick;   /* Tick at which a setting last changed. */
+    struct settings logged; /* Values of all settings as they were last logged in the ledger. */
+    uint32_t turn_tick;     /* Tick at which a setting last changed. */
     /* Id of the newest entry that logged a setting; 0 means that no setting was logged since the
      * kiosk started. */
     uint32_t entry_id;

@@ -126,10 +126,10 @@ static void plug_in(struct gamepads *gamepads, int32_t device_index)
     if (!controller) {
         return;
     }
-    const char *said = SDL_GameControllerGetSerial(controller);
+    const char *serial_text = SDL_GameControllerGetSerial(controller);
     SDL_Joystick *joystick = SDL_GameControllerGetJoystick(controller);
     SDL_JoystickGetGUIDString(SDL_JoystickGetGUID(joystick), guid, (int)sizeof guid);
-    snprintf(serial, sizeof serial, "%.31s", said ? said : "");
+    snprintf(serial, sizeof serial, "%.31s", serial_text ? serial_text : "");
     struct gamepad *pad = free_pad(gamepads, guid, serial);
     if (!pad) {
         SDL_GameControllerClose(controller);

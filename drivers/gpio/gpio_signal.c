@@ -220,7 +220,7 @@ struct coin_mech gpio_coin_begin(uint64_t width_min_ns, uint64_t width_max_ns, b
         .width_max_ns = width_max_ns,
         .begin_ns = now_ns,
         .state = active ? COIN_FALLS : COIN_IDLE,
-        .spoilt = active,
+        .ignored = active,
     };
 }
 
@@ -228,7 +228,7 @@ static void classify_pulse(struct coin_mech *mech)
 {
     CORE_ASSERT(mech->state == COIN_FELL);
     const uint64_t width_ns = mech->end_ns - mech->begin_ns;
-    if (!mech->spoilt && !mech->sticks) {
+    if (!mech->ignored && !mech->sticks) {
         if (width_ns < mech->width_min_ns) {
             mech->too_short++;
         } else {
@@ -237,7 +237,7 @@ static void classify_pulse(struct coin_mech *mech)
         }
     }
     mech->state = COIN_IDLE;
-    mech->spoilt = mech->sticks = false;
+    mech->ignored = mech->sticks = false;
 }
 
 uint64_t gpio_coin_due_ns(const struct coin_mech *mech)
@@ -289,9 +289,9 @@ void gpio_coin_lose(struct coin_mech *mech)
         classify_pulse(mech);
         return;
     }
-    mech->cut += mech->state == COIN_FALLS && !mech->spoilt && !mech->sticks;
+    mech->cut += mech->state == COIN_FALLS && !mech->ignored && !mech->sticks;
     mech->state = COIN_IDLE;
-    mech->spoilt = mech->sticks = false;
+    mech->ignored = mech->sticks = false;
 }
 
 /* ---- Output pulses -------------------------------------------------------------------------- */

@@ -175,7 +175,7 @@ struct coin_mech {
     uint8_t state; /* State of the current pulse (enum coin_state). */
     /* True if the current pulse must not be counted as a coin, because its start was not
      * observed. */
-    bool spoilt;
+    bool ignored;
     /* True if the current pulse is too long and was already counted in `stuck`. */
     bool sticks;
     uint64_t width_ns; /* Width of the last coin's pulse. 0 means no coin yet. */

@@ -36,7 +36,7 @@ static struct gamepad_report faulty_pad_report(const struct gamepad_sim *sim,
         report.axis[GAMEPAD_LEAD_X] = report.axis[GAMEPAD_TILT_X] = INT16_MAX;
         report.axis[GAMEPAD_LEAD_Y] = report.axis[GAMEPAD_TILT_Y] = INT16_MIN;
     }
-    if (fault->spoils) {
+    if (fault->is_random) {
         for (uint32_t i = 0; i < GAMEPAD_AXIS_COUNT; i++) {
             report.axis[i] = (int16_t)report_feed_random(GAMEPAD_STREAM, fault->index, i);
         }

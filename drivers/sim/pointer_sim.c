@@ -48,8 +48,8 @@ static struct pointer_report mouse_report(struct pointer_sim *sim, const struct 
         report.x_px = (float)report.width_px;
         report.y_px = 0.0f;
     }
-    if (fault->spoils) {
-        const uint32_t index = sim->spoil_count++;
+    if (fault->is_random) {
+        const uint32_t index = sim->random_count++;
         report.x_px = index % 4u ? report_feed_random_float(POINTER_STREAM, index, 0) : 0.0f / 0.0f;
         report.y_px = report_feed_random_float(POINTER_STREAM, index, 1);
         report.wheel_notches = report_feed_random_float(POINTER_STREAM, index, 2);
@@ -70,7 +70,7 @@ static struct pointer_report touch_report(struct pointer_sim *sim, const struct 
         event.x = 1.0f;
         event.y = 0.0f;
     }
-    if (fault->spoils) {
+    if (fault->is_random) {
         event.x = report_feed_random_float(TOUCH_STREAM, fault->index, 0);
         event.y = report_feed_random_float(TOUCH_STREAM, fault->index, 1);
         event.kind = (uint8_t)report_feed_random(TOUCH_STREAM, fault->index, 2);

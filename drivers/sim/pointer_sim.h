@@ -21,7 +21,7 @@ struct pointer_sim {
     uint32_t mute_every;
     struct touch_fingers fingers;
     struct pointer_report report; /* Last report of the touch screen. */
-    uint32_t spoil_count;         /* Number of mouse reports with random numbers so far. */
+    uint32_t random_count;        /* Number of mouse reports with random numbers so far. */
     struct poi_force felt;        /* Force feedback that was set last. */
     struct pointer_poi pointer;
 };

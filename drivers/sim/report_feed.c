@@ -55,7 +55,7 @@ int report_feed_take(struct report_feed *feed, const void *reports, size_t size,
         .index = index,
         .copies = feed->double_every > 0 && index % feed->double_every == 0 ? 2u : 1u,
         .jumps = index == feed->jump_at,
-        .spoils = index >= feed->spoil_from && index < feed->spoil_to,
+        .is_random = index >= feed->random_from && index < feed->random_to,
     };
     feed->next++;
     return 1;

@@ -30,7 +30,7 @@ struct report_feed {
     uint32_t jump_at;
     /* Index of the first report with random bits (including NaN), and index after the last report
      * with random bits. */
-    uint32_t spoil_from, spoil_to;
+    uint32_t random_from, random_to;
     /* Start and end of the time without reports. The reports of this time arrive together at its
      * end. */
     uint64_t silent_from_ns, silent_to_ns;
@@ -42,7 +42,7 @@ struct report_feed {
 struct report_fault {
     uint32_t index;  /* Index of the report. */
     uint32_t copies; /* Number of times that the report arrives, 1 or 2. */
-    bool jumps, spoils;
+    bool jumps, is_random;
 };
 
 /* Returns a feed without reports and faults. */

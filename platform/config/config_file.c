@@ -164,7 +164,7 @@ static void config_file_read_line(struct reading *reading, char *line)
 
 static void config_file_read_lines(struct reading *reading, FILE *file)
 {
-    char line[CONFIG_LINE_MAX], says[OPTION_TEXT_MAX], text[OPTIONS_PATH_MAX];
+    char line[CONFIG_LINE_MAX], reason[OPTION_TEXT_MAX], text[OPTIONS_PATH_MAX];
     enum file_line result;
     while ((result = file_read_line(file, line, sizeof line)) != FILE_LINE_END) {
         reading->line++;
@@ -176,9 +176,9 @@ static void config_file_read_lines(struct reading *reading, FILE *file)
     }
     /* The number of fish is checked at the end of the file, because the line that sets the tank
      * preset may be anywhere in the file. */
-    if (options_too_many_fish(reading->options, says)) {
+    if (options_too_many_fish(reading->options, reason)) {
         reading->line = reading->fish_line;
-        object(reading, "fish: %s", says);
+        object(reading, "fish: %s", reason);
         reading->options->file.is_set[SET_FISH] = false;
     }
     if (reading->warning_count > CONFIG_WARNINGS_MAX && reading->warn) {

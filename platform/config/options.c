@@ -236,7 +236,7 @@ const struct option_table options_table = OPTION_TABLE(table, NULL);
 
 /* ---- Command line -------------------------------------------------------------------------- */
 
-bool options_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX])
+bool options_wires_clash(const struct options *options, char reason[OPTION_TEXT_MAX])
 {
     char why[HAL_TEXT_SIZE];
     CORE_ASSERT(options->line_count <= BOARD_LINE_MAX);
@@ -244,11 +244,11 @@ bool options_wires_clash(const struct options *options, char says[OPTION_TEXT_MA
                           why) == 0) {
         return false;
     }
-    snprintf(says, OPTION_TEXT_MAX, "%s", why);
+    snprintf(reason, OPTION_TEXT_MAX, "%s", why);
     return true;
 }
 
-bool options_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX])
+bool options_too_many_fish(const struct options *options, char reason[OPTION_TEXT_MAX])
 {
     const struct options_query_result *by = options->is_file ? &options->file : &options->words;
     CORE_ASSERT(options->tank < TANK_PRESET_COUNT);
@@ -256,23 +256,23 @@ bool options_too_many_fish(const struct options *options, char says[OPTION_TEXT_
     if (!by->is_set[SET_FISH] || by->value[SET_FISH] <= (int32_t)most) {
         return false;
     }
-    snprintf(says, OPTION_TEXT_MAX, "%d is too many; the %s tank holds 1 to %u",
+    snprintf(reason, OPTION_TEXT_MAX, "%d is too many; the %s tank holds 1 to %u",
              by->value[SET_FISH], tank_preset(options->tank)->name, most);
     return true;
 }
 
 int options_check(const struct options *options, char error[OPTIONS_ERROR_MAX])
 {
-    char says[OPTION_TEXT_MAX];
-    const char *name = options_too_many_fish(options, says) ? "fish"
-                       : options_wires_clash(options, says) ? "line"
-                                                            : NULL;
+    char reason[OPTION_TEXT_MAX];
+    const char *name = options_too_many_fish(options, reason) ? "fish"
+                       : options_wires_clash(options, reason) ? "line"
+                                                              : NULL;
     if (options->record[0] && options->replay[0]) {
         snprintf(error, OPTIONS_ERROR_MAX, "--record and --replay cannot be combined");
         return -1;
     }
     if (name) {
-        snprintf(error, OPTIONS_ERROR_MAX, "--%s: %s", name, says);
+        snprintf(error, OPTIONS_ERROR_MAX, "--%s: %s", name, reason);
         return -1;
     }
     return 0;

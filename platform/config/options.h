@@ -77,14 +77,14 @@ extern const struct option_table options_table;
 int options_parse(struct options *options, int argc, const char *const *argv,
                   char error[OPTIONS_ERROR_MAX]);
 
-/* Returns true and writes the name of the GPIO line to `says` if two GPIO line options use the same
- * GPIO line. Otherwise returns false. */
-bool options_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX]);
+/* Returns true and writes the reason to `reason` if two GPIO line options use the same GPIO
+ * line. Otherwise returns false. */
+bool options_wires_clash(const struct options *options, char reason[OPTION_TEXT_MAX]);
 
 /* Returns true if the tank cannot hold the configured number of fish, and writes the reason to
- * `says`. Otherwise returns false. Checks the configuration file if options->is_file is true,
+ * `reason`. Otherwise returns false. Checks the configuration file if options->is_file is true,
  * otherwise the command line. */
-bool options_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX]);
+bool options_too_many_fish(const struct options *options, char reason[OPTION_TEXT_MAX]);
 
 /* Sets the initial settings, which the operator's menu may change later. Each setting gets its
  * value from the configuration file if the file has one, otherwise from the machine's locale,

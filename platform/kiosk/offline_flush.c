@@ -11,7 +11,7 @@
 struct batch {
     struct core_status status;
     const struct audits *audits; /* Audit counts of the core. */
-    const struct audits *told;   /* Audit counts that the store has already written to disk. */
+    const struct audits *stored; /* Audit counts that the store has already written to disk. */
     struct ledger_entry entries[BATCH_MAX];
     uint32_t count;
 };
@@ -21,8 +21,8 @@ static uint32_t unflushed_count(const struct batch *batch, uint32_t audit)
 {
     CORE_ASSERT(audit < AUDIT_COUNT);
     const uint32_t count = batch->audits->count[audit];
-    const uint32_t told = batch->told->count[audit];
-    return count > told ? count - told : 0u;
+    const uint32_t stored = batch->stored->count[audit];
+    return count > stored ? count - stored : 0u;
 }
 
 static void add_entry(struct batch *batch, uint8_t kind, uint32_t detail, uint32_t count,
@@ -71,17 +71,17 @@ bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *st
 {
     struct batch batch = { .status = core_status(core),
                            .audits = core_audits(core),
-                           .told = &flush->told };
+                           .stored = &flush->stored };
     /* Record the amounts of a transfer as transferred after the store has written the transfer. */
-    if (flush->is_asked && store->ops->offline_merged(store->self) == HAL_OK) {
-        flush->told = flush->asked;
-        flush->flushed_balance = flush->asked_balance;
-        flush->is_asked = false;
+    if (flush->is_sending && store->ops->offline_merged(store->self) == HAL_OK) {
+        flush->stored = flush->sent;
+        flush->stored_balance = flush->sent_balance;
+        flush->is_sending = false;
     }
-    if (flush->is_asked) {
+    if (flush->is_sending) {
         return false;
     }
-    const struct balance_change step = { flush->flushed_balance, batch.status.balance };
+    const struct balance_change step = { flush->stored_balance, batch.status.balance };
     /* Add one entry for each coin line that received coins. The audits contain only the total value
      * of all coins, not the value of each coin line. Therefore the first entry gets the total
      * value, and the other entries get 0. */
@@ -113,12 +113,12 @@ bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *st
                                        balance. */
     }
     if (store->ops->merge_offline(store->self, &step, batch.entries, batch.count) == HAL_OK) {
-        flush->asked = flush->told;
+        flush->sent = flush->stored;
         for (uint32_t i = 0; i < batch.count; i++) {
-            audits_note(&flush->asked, &batch.entries[i]);
+            audits_note(&flush->sent, &batch.entries[i]);
         }
-        flush->asked_balance = step.to;
-        flush->is_asked = true;
+        flush->sent_balance = step.to;
+        flush->is_sending = true;
     }
     return false;
 }

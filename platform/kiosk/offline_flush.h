@@ -15,13 +15,14 @@
 
 /* State of the transfer. A structure of zeros means that nothing has been transferred. */
 struct offline_flush {
-    struct audits told; /* Audit counts of this kiosk that the store has already written to disk. */
+    /* Audit counts of this kiosk that the store has already written to disk. */
+    struct audits stored;
     /* Balance of this kiosk that the store has already written to disk. */
-    struct balance flushed_balance;
+    struct balance stored_balance;
     /* Audit counts of this kiosk that will be on disk when the current write succeeds. */
-    struct audits asked;
-    struct balance asked_balance;
-    bool is_asked; /* True while the store writes the amounts in `asked`. */
+    struct audits sent;
+    struct balance sent_balance;
+    bool is_sending; /* True while the store writes the amounts in `sent`. */
 };
 
 /* Transfers the amounts that are not yet on disk. Call once per frame while a new store exists and

@@ -62,12 +62,12 @@ static enum exit_code print_end(struct run_common *session, enum kiosk_end end)
  * EXIT_OK if all exit codes are EXIT_OK. */
 static enum exit_code end_play(struct run_common *session, enum kiosk_end end)
 {
-    const enum exit_code told = print_end(session, end);
+    const enum exit_code store_code = print_end(session, end);
     const enum exit_code code = run_common_end(session);
     const enum exit_code ended = end == KIOSK_FLOAT          ? run_common_print_float()
                                  : end == KIOSK_DISPLAY_LOST ? EXIT_NOT_SO
                                                              : EXIT_OK;
-    return told != EXIT_OK ? told : code != EXIT_OK ? code : ended;
+    return store_code != EXIT_OK ? store_code : code != EXIT_OK ? code : ended;
 }
 
 /* Ends the program inside the display call. After the connection to the display is lost, Xlib and

@@ -81,9 +81,9 @@ static void clear_later_fields(struct ledger *ledger, uint32_t version)
  * last setting, SET_LEVEL. */
 static void walk_settings_edit(struct replay_serializer *walk, struct settings_edit *edit)
 {
-    const size_t last = sizeof edit->told.value[SET_LEVEL];
-    replay_serialize_bytes(walk, &edit->told, sizeof edit->told - (walk->version < 9u ? last : 0u));
-    replay_serialize_bytes(walk, &edit->turn_tick, sizeof *edit - sizeof edit->told);
+    const size_t last = walk->version < 9u ? sizeof edit->logged.value[SET_LEVEL] : 0u;
+    replay_serialize_bytes(walk, &edit->logged, sizeof edit->logged - last);
+    replay_serialize_bytes(walk, &edit->turn_tick, sizeof *edit - sizeof edit->logged);
 }
 _Static_assert(offsetof(struct settings_edit, turn_tick) == sizeof(struct settings) &&
                    SET_LEVEL + 1 == SETTING_COUNT,

@@ -357,7 +357,7 @@ static void tick_parked(struct control *control, struct bot *bot, const struct g
 static void tick_hand(struct control *control, struct bot *bot, const struct game *game,
                       struct world *world, const struct input *input, uint32_t index)
 {
-    const struct poi_input *says = &input->poi[index];
+    const struct poi_input *reported = &input->poi[index];
     struct poi_target *hand = &control->hand_pose;
     struct poi *poi = &world->poi[index];
     CORE_ASSERT(poi->link != POI_SOURCE_ABSENT);
@@ -380,15 +380,15 @@ static void tick_hand(struct control *control, struct bot *bot, const struct gam
         const struct vision vision = { game, world, index };
         *hand = blend_to_holder(control, game, world, index, bot_tick(bot, &vision));
     } else if (control->return_ticks > 0) {
-        *hand = return_to_hand(control, game, world, index, says->target);
+        *hand = return_to_hand(control, game, world, index, reported->target);
     } else {
         if (game->tick % REFILL_TICKS == 0 && control->immunity_ticks > 0) {
             control->immunity_ticks--;
         }
         const float share = input_validation_blend(&control->validation);
-        struct poi_target next = blend_to_holder(control, game, world, index, says->target);
+        struct poi_target next = blend_to_holder(control, game, world, index, reported->target);
         next = share < 1.0f ? pose_between(*hand, next, share) : next;
-        next = steady(control, poi, next, says->has_wrist, game_may_scoop(game, index));
+        next = steady(control, poi, next, reported->has_wrist, game_may_scoop(game, index));
         *hand = soften(&game->player[index], *hand, next);
     }
 }

@@ -80,7 +80,7 @@ static float excess_motion_sum(float before, float step, float free)
  * rotation jumps. */
 static bool detect_pose_jump(struct input_validation *validation, const struct poi_input *input)
 {
-    CORE_ASSERT(validation->knows);
+    CORE_ASSERT(validation->has_newest);
     const float pace = input->has_wrist ? INPUT_ARM_M_S_MAX : INPUT_POINTER_M_S_MAX;
     const float leap_m = input->has_wrist ? ARM_LEAP_M : POINTER_LEAP_M;
     const float unseen_s = (float)validation->silent_ticks * CORE_TICK_S;
@@ -114,13 +114,13 @@ static bool agrees(struct input_validation *validation, const struct poi_input *
     if (input->link != POI_SOURCE_LIVE || !input_pose_is_finite(&input->target)) {
         return false;
     }
-    if (validation->knows) {
+    if (validation->has_newest) {
         const bool same = memcmp(&validation->newest, &input->target, sizeof input->target) == 0;
         validation->same_ticks = next_count(same, validation->same_ticks, UINT16_MAX);
         is_sane = !detect_pose_jump(validation, input) &&
                   !(input->trembles && validation->same_ticks > INPUT_STUCK_TICKS);
     }
-    validation->knows = 1;
+    validation->has_newest = 1;
     validation->newest = input->target;
     return is_sane && input->age_ticks <= INPUT_SILENT_TICKS;
 }
@@ -156,7 +156,7 @@ enum input_status input_validation_tick(struct input_validation *validation,
     validation->agree_ticks = next_count(agreed, validation->agree_ticks, INPUT_AGREE_TICKS);
     const bool lost = !agreed || (was_lost && validation->agree_ticks < INPUT_AGREE_TICKS);
     validation->verdict = lost ? INPUT_LOST : INPUT_VALID;
-    CORE_ASSERT(lost || validation->knows);
+    CORE_ASSERT(lost || validation->has_newest);
     return (enum input_status)validation->verdict;
 }
 
@@ -226,18 +226,18 @@ static vec3 map_point(const struct map *map, vec3 at_m)
 /* Computes the map from the measured corners to the marks by least squares. The normal equations
  * have a solution because the corners surround their centre. The sums are relative to the centre,
  * because float sums far from the origin would lose the last millimetre. */
-static struct map fit_corner_map(const vec3 *said_m, const vec3 *mark_m)
+static struct map fit_corner_map(const vec3 *sampled_m, const vec3 *mark_m)
 {
     vec3 from_m = v3(0.0f, 0.0f, 0.0f), to_m = v3(0.0f, 0.0f, 0.0f);
     float pxx = 0.0f, pxz = 0.0f, pzz = 0.0f, qxx = 0.0f, qxz = 0.0f, qzx = 0.0f, qzz = 0.0f;
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
-        from_m = v3_add(from_m, said_m[i]);
+        from_m = v3_add(from_m, sampled_m[i]);
         to_m = v3_add(to_m, mark_m[i]);
     }
     from_m = v3_scale(from_m, 1.0f / (float)CALIBRATE_CORNERS);
     to_m = v3_scale(to_m, 1.0f / (float)CALIBRATE_CORNERS);
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
-        const vec3 p = v3_sub(said_m[i], from_m), q = v3_sub(mark_m[i], to_m);
+        const vec3 p = v3_sub(sampled_m[i], from_m), q = v3_sub(mark_m[i], to_m);
         pxx += p.x * p.x;
         pxz += p.x * p.z;
         pzz += p.z * p.z;
@@ -259,22 +259,22 @@ static struct map fit_corner_map(const vec3 *said_m, const vec3 *mark_m)
     return map;
 }
 
-enum calibration_fault input_calibration_solve(const struct calibration_said *said,
+enum calibration_fault input_calibration_solve(const struct calibration_sample *sample,
                                                vec3 tank_size_m, int32_t out[CALIBRATION_VALUES])
 {
     vec3 mark_m[CALIBRATE_CORNERS];
-    const enum calibration_fault shape = shape_of(said->corner_m);
+    const enum calibration_fault shape = shape_of(sample->corner_m);
     if (shape != CALIBRATION_GOOD) {
         return shape;
     }
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
         mark_m[i] = input_calibration_mark(tank_size_m, i);
     }
-    const struct map map = fit_corner_map(said->corner_m, mark_m);
-    const float pitch = said->has_wrist ? -f_wrap_angle(said->water.angles.pitch_rad) : 0.0f;
-    const float roll = said->has_wrist ? -f_wrap_angle(said->water.angles.roll_rad) : 0.0f;
+    const struct map map = fit_corner_map(sample->corner_m, mark_m);
+    const float pitch = sample->has_wrist ? -f_wrap_angle(sample->water.angles.pitch_rad) : 0.0f;
+    const float roll = sample->has_wrist ? -f_wrap_angle(sample->water.angles.roll_rad) : 0.0f;
     const float value[CALIBRATION_VALUES] = {
-        map.xx - 1.0f, map.xz, map.x0, map.zx, map.zz - 1.0f, map.z0, -said->water.position_m.y,
+        map.xx - 1.0f, map.xz, map.x0, map.zx, map.zz - 1.0f, map.z0, -sample->water.position_m.y,
         pitch,         roll
     };
     const float most = (float)settings_entry(SET_CALIBRATION)->max / MILLION;
@@ -285,7 +285,7 @@ enum calibration_fault input_calibration_solve(const struct calibration_said *sa
     }
     float sum_m2 = 0.0f; /* Sum of the squared distances of the mapped corners from their marks. */
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
-        const vec3 off_m = v3_sub(map_point(&map, said->corner_m[i]), mark_m[i]);
+        const vec3 off_m = v3_sub(map_point(&map, sample->corner_m[i]), mark_m[i]);
         sum_m2 += off_m.x * off_m.x + off_m.z * off_m.z;
     }
     if (f_sqrt(sum_m2 / (float)CALIBRATE_CORNERS) > CALIBRATE_RESIDUAL_M) {

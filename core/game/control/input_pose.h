@@ -55,8 +55,8 @@ enum input_status {
 };
 
 struct input_validation {
-    uint8_t verdict; /* Result of the validation in the last tick (enum input_status). */
-    uint8_t knows;   /* 1 if the pose in `newest` has been set, otherwise 0. */
+    uint8_t verdict;    /* Result of the validation in the last tick (enum input_status). */
+    uint8_t has_newest; /* 1 if the pose in `newest` has been set, otherwise 0. */
     /* Number of consecutive ticks in which the sensor has repeated identical bits. */
     uint16_t same_ticks;
     /* Number of consecutive ticks with consistent reports, up to INPUT_AGREE_TICKS. */
@@ -166,7 +166,7 @@ enum calibration_fault {
 };
 
 /* Uncorrected poses that were measured during a calibration. */
-struct calibration_said {
+struct calibration_sample {
     /* Measured positions on the marks, in the order of input_calibration_mark(). */
     vec3 corner_m[CALIBRATE_CORNERS];
     /* Measured pose while the poi lies flat anywhere on the still water. */
@@ -180,7 +180,7 @@ vec3 input_calibration_mark(vec3 tank_size_m, uint32_t corner);
 
 /* Computes the correction by least squares over the corners. Returns CALIBRATION_GOOD and fills
  * `out`, or returns the reason for the rejection and leaves `out` unchanged. */
-enum calibration_fault input_calibration_solve(const struct calibration_said *said,
+enum calibration_fault input_calibration_solve(const struct calibration_sample *sample,
                                                vec3 tank_size_m, int32_t out[CALIBRATION_VALUES]);
 
 /* Returns the id of the first calibration setting of slot `slot`, which must be < POI_MAX. */

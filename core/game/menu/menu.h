@@ -100,7 +100,7 @@ float menu_calibrate_progress(const struct calibrate *calibrate);
 /* Evaluates the uncorrected poses of the controllers. Call once per tick. The function has an
  * effect only while the calibration page of the menu is open. */
 void menu_calibrate_tick(const struct menu_scope *scope, const struct world *world,
-                         const struct input *said);
+                         const struct input *raw);
 
 /* ---- Self-test page -------------------------------------------------------------------------- */
 

@@ -257,15 +257,15 @@ static void take_pose(const struct menu_scope *scope, const struct world *world,
     calibrate->must_move = 1;
     scope->menu->act_tick = scope->game->tick;
     if (calibrate->step != CALIBRATE_WATER) {
-        calibrate->said.corner_m[calibrate->step - CALIBRATE_CORNER] = at.position_m;
+        calibrate->sample.corner_m[calibrate->step - CALIBRATE_CORNER] = at.position_m;
         calibrate->step++;
         output_sound(scope->output, SOUND_CATCH, 0.7f, 0.0f);
         return;
     }
-    calibrate->said.water = at;
-    calibrate->said.has_wrist = poi->has_wrist != 0;
+    calibrate->sample.water = at;
+    calibrate->sample.has_wrist = poi->has_wrist != 0;
     calibrate->fault =
-        (uint8_t)input_calibration_solve(&calibrate->said, world->tank.size_m, value);
+        (uint8_t)input_calibration_solve(&calibrate->sample, world->tank.size_m, value);
     const bool is_good = calibrate->fault == CALIBRATION_GOOD;
     if (is_good) {
         swap_with(scope, value);
@@ -275,7 +275,7 @@ static void take_pose(const struct menu_scope *scope, const struct world *world,
 }
 
 void menu_calibrate_tick(const struct menu_scope *scope, const struct world *world,
-                         const struct input *said)
+                         const struct input *raw)
 {
     const struct settings *settings = &scope->config->persistent.settings;
     struct calibrate *calibrate = &scope->menu->calibrate;
@@ -284,14 +284,14 @@ void menu_calibrate_tick(const struct menu_scope *scope, const struct world *wor
     }
     calibrate->present = calibrate->is_set = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const bool is_there = said->poi[i].link == POI_SOURCE_LIVE;
+        const bool is_there = raw->poi[i].link == POI_SOURCE_LIVE;
         const bool is_set =
             input_calibration_is_set(settings, i) || input_calibration_is_torn(settings, i);
         calibrate->present |= (uint8_t)((uint32_t)is_there << i);
         calibrate->is_set |= (uint8_t)((uint32_t)is_set << i);
     }
     CORE_ASSERT(calibrate->slot < POI_MAX && calibrate->step < CALIBRATE_STEPS);
-    const struct poi_input *poi = &said->poi[calibrate->slot];
+    const struct poi_input *poi = &raw->poi[calibrate->slot];
     if (scope->menu->page != MENU_CALIBRATION || !menu_calibrate_is_running(calibrate)) {
         return;
     }

@@ -44,7 +44,7 @@ struct calibrate {
     struct poi_target anchor;
     /* Sum of the deviations from `anchor` over the ticks in which the poi was still. */
     struct poi_target sum;
-    struct calibration_said said;
+    struct calibration_sample sample;
 };
 
 /* Time after which a check of the self-test that still has no result counts as bad. */
@@ -105,18 +105,18 @@ enum self_state {
     SELF_STATES,
 };
 
-enum { SELF_UNSAID = 0, SELF_SAYS_YES, SELF_SAYS_NO };
+enum { SELF_UNANSWERED = 0, SELF_ANSWER_YES, SELF_ANSWER_NO };
 
 struct self_test {
-    /* `heard` is the operator's answer to the question about the sound. `moved` is the answer to
-     * the question about the lamp and the coin slot. */
-    uint8_t heard, moved;
+    /* Answers of the operator to the question about the sound and to the question about the lamp
+     * and the coin slot. */
+    uint8_t sound_answer, lamp_answer;
     uint8_t present; /* Bit mask of the slots with a controller. */
     /* Directions in which each poi moved, as a bit mask: one bit each for x, y and z. */
     uint8_t ways[POI_MAX];
     uint8_t worst_age[POI_MAX]; /* Largest age of a report of each slot, in ticks. */
     vec3 first_m[POI_MAX];      /* Position at which each poi was first seen. */
-    uint8_t knows_first;        /* Bit mask of the slots with a valid `first_m`. */
+    uint8_t has_first_m;        /* Bit mask of the slots with a valid `first_m`. */
     uint32_t begin_tick;
     /* Id of the ledger entry that the self-test wrote; 0 means that the ledger had no room. */
     uint32_t entry_id;

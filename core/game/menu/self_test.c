@@ -11,7 +11,7 @@
 uint16_t menu_self_enabled(const struct menu *menu)
 {
     const struct self_test *self = &menu->self;
-    const bool asks = self->heard == SELF_UNSAID || self->moved == SELF_UNSAID;
+    const bool asks = self->sound_answer == SELF_UNANSWERED || self->lamp_answer == SELF_UNANSWERED;
     return (uint16_t)((asks ? MENU_TAG(SELF_YES) | MENU_TAG(SELF_NO) : 0) | MENU_TAG(SELF_AGAIN) |
                       MENU_TAG(SELF_BACK));
 }
@@ -32,14 +32,14 @@ void menu_self_open(struct menu *menu, const struct game *game, const struct set
 void menu_self_activate(const struct menu_scope *scope, uint32_t tag)
 {
     struct self_test *self = &scope->menu->self;
-    const uint8_t answer = tag == SELF_YES ? SELF_SAYS_YES : SELF_SAYS_NO;
+    const uint8_t answer = tag == SELF_YES ? SELF_ANSWER_YES : SELF_ANSWER_NO;
     CORE_ASSERT(tag < SELF_BACK);
     if (tag == SELF_AGAIN) {
         menu_self_open(scope->menu, scope->game, &scope->config->persistent.settings);
-    } else if (self->heard == SELF_UNSAID) {
-        self->heard = answer;
-    } else if (self->moved == SELF_UNSAID) {
-        self->moved = answer;
+    } else if (self->sound_answer == SELF_UNANSWERED) {
+        self->sound_answer = answer;
+    } else if (self->lamp_answer == SELF_UNANSWERED) {
+        self->lamp_answer = answer;
     }
 }
 
@@ -64,11 +64,11 @@ void self_test_tick(const struct menu_scope *scope, const struct input *input)
         const struct ledger_entry entry = {
             .kind = LEDGER_SETTING,
             .detail = SET_VOLUME,
-            .value = scope->settings_edit->told.value[SET_VOLUME],
+            .value = scope->settings_edit->logged.value[SET_VOLUME],
         };
         self->entry_id = ledger_write(scope->accounts, game->tick, &entry, scope->output);
     }
-    if (age % CORE_TICK_HZ == 1u && self->heard == SELF_UNSAID) {
+    if (age % CORE_TICK_HZ == 1u && self->sound_answer == SELF_UNANSWERED) {
         output_sound(scope->output, SOUND_CALL, 1.0f, 0.0f);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -78,8 +78,8 @@ void self_test_tick(const struct menu_scope *scope, const struct input *input)
             continue;
         }
         self->present |= bit;
-        if (!(self->knows_first & bit)) {
-            self->knows_first |= bit;
+        if (!(self->has_first_m & bit)) {
+            self->has_first_m |= bit;
             self->first_m[i] = poi->target.position_m;
         }
         const vec3 way_m = v3_sub(poi->target.position_m, self->first_m[i]);
@@ -95,8 +95,8 @@ void self_test_tick(const struct menu_scope *scope, const struct input *input)
 bool self_test_shows(const struct game *game)
 {
     const struct self_test *self = &game->menu.self;
-    return self_test_is_open(game) && self->heard != SELF_UNSAID && self->moved == SELF_UNSAID &&
-           game->tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
+    return self_test_is_open(game) && self->sound_answer != SELF_UNANSWERED &&
+           self->lamp_answer == SELF_UNANSWERED && game->tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
 }
 
 /* ---- Results of the self-test ---------------------------------------------------------------- */
@@ -111,8 +111,8 @@ void self_test_show(const struct game *game, const struct core_config *config,
     const uint32_t left = age < SELF_TEST_TICKS ? SELF_TEST_TICKS - age : 0u;
     const bool is_saved = self->entry_id != 0 && ledger_is_saved(ledger, self->entry_id);
     *out = (struct scene_self_test){
-        .heard = self->heard,
-        .moved = self->moved,
+        .sound_answer = self->sound_answer,
+        .lamp_answer = self->lamp_answer,
         .present = self->present,
         .players = config->players > 0 ? config->players : 1u,
         .store = (uint8_t)(is_saved && ledger->is_healthy ? SELF_GOOD
@@ -131,7 +131,7 @@ void self_test_show(const struct game *game, const struct core_config *config,
 
 static uint8_t state_from_answer(uint8_t answer)
 {
-    return answer == SELF_SAYS_YES ? SELF_GOOD : answer == SELF_SAYS_NO ? SELF_BAD : SELF_ASKS;
+    return answer == SELF_ANSWER_YES ? SELF_GOOD : answer == SELF_ANSWER_NO ? SELF_BAD : SELF_ASKS;
 }
 
 /* Buttons that the operator must test. TILT and DOOR are not buttons, and no cabinet has a language
@@ -177,9 +177,9 @@ static void evaluate_parts(const struct scene *scene, uint8_t state[SELF_CHECKS]
     state[SELF_DISPLAY] = frames == 0                      ? SELF_WAITS
                           : frames >= SELF_TEST_FRAMES_MIN ? SELF_GOOD
                                                            : SELF_BAD;
-    state[SELF_SOUND] = state_from_answer(self->heard);
-    state[SELF_LAMP] = self->moved == SELF_UNSAID && !is_wired ? (uint8_t)SELF_GOOD
-                                                               : state_from_answer(self->moved);
+    state[SELF_SOUND] = state_from_answer(self->sound_answer);
+    state[SELF_LAMP] =
+        !self->lamp_answer && !is_wired ? (uint8_t)SELF_GOOD : state_from_answer(self->lamp_answer);
     state[SELF_COINS] = scene->menu.test_coins > 0 || !is_sold ? SELF_GOOD : SELF_ASKS;
     state[SELF_BUTTONS] = state[SELF_POIS] = SELF_GOOD;
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {

@@ -14,12 +14,12 @@ void settings_edit_init(struct settings_edit *settings_edit, const struct core_c
 {
     const uint32_t wrong = config->persistent.audits.count[AUDIT_WRONG_PINS];
     *settings_edit = (struct settings_edit){
-        .told = config->persistent.settings,
+        .logged = config->persistent.settings,
         /* The database does not record when wrong PINs were entered, so the lockout time starts at
          * the kiosk's start. */
         .pin_wrong = wrong < UINT8_MAX ? wrong : UINT8_MAX,
     };
-    settings_sanitize(&settings_edit->told);
+    settings_sanitize(&settings_edit->logged);
 }
 
 int32_t settings_edit_max(const struct core_config *config, uint32_t id)
@@ -98,7 +98,7 @@ bool settings_edit_factory_reset(const struct menu_scope *scope)
         return false;
     }
     settings_reset(settings);
-    scope->settings_edit->told = *settings;
+    scope->settings_edit->logged = *settings;
     scope->settings_edit->entry_id = ledger->last_id;
     *scope->language = (uint8_t)settings->value[SET_LANGUAGE];
     apply(scope);
@@ -115,7 +115,7 @@ void settings_edit_tick(const struct menu_scope *scope)
     }
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
         const int32_t value = settings->value[id];
-        if (value == settings_edit->told.value[id]) {
+        if (value == settings_edit->logged.value[id]) {
             continue;
         }
         if (!ledger_may_write(&scope->accounts->ledger, LEDGER_SETTING)) {
@@ -128,14 +128,14 @@ void settings_edit_tick(const struct menu_scope *scope)
                                             .count = id >> 8,
                                             .value = value };
         settings_edit->entry_id = ledger_write(scope->accounts, tick, &entry, scope->output);
-        settings_edit->told.value[id] = value;
+        settings_edit->logged.value[id] = value;
     }
 }
 
 bool settings_edit_is_saved(const struct ledger *ledger, const struct settings_edit *settings_edit,
                             const struct settings *settings)
 {
-    return memcmp(settings, &settings_edit->told, sizeof *settings) == 0 &&
+    return memcmp(settings, &settings_edit->logged, sizeof *settings) == 0 &&
            ledger_is_saved(ledger, settings_edit->entry_id);
 }
 

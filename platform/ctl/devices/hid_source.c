@@ -105,11 +105,11 @@ const char *hid_node_bus(const struct hid_node *node)
 
 static enum exit_code ask_node(int file, struct hid_descriptor *descriptor, const char *path)
 {
-    struct hidraw_report_descriptor said = { .size = 0 };
-    if (ioctl(file, HIDIOCGRDESCSIZE, &said.size) < 0 || ioctl(file, HIDIOCGRDESC, &said) < 0) {
+    struct hidraw_report_descriptor raw = { .size = 0 };
+    if (ioctl(file, HIDIOCGRDESCSIZE, &raw.size) < 0 || ioctl(file, HIDIOCGRDESC, &raw) < 0) {
         return hid_file_print_error(path);
     }
-    const enum hid_error error = hid_descriptor_read(descriptor, said.value, said.size);
+    const enum hid_error error = hid_descriptor_read(descriptor, raw.value, raw.size);
     if (error) {
         return print_fail(EXIT_BAD_DATA, "kingyoctl hid: %s: byte %zu of its report descriptor: %s",
                           path, descriptor->error_offset, hid_error_text(error));

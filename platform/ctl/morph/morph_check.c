@@ -35,7 +35,7 @@ struct row {
      * percent. */
     double scale;
     double limit; /* Limit in the unit of the printed value. */
-    enum { AT_MOST, AT_LEAST, TOLD_ONLY } rule;
+    enum { AT_MOST, AT_LEAST, PRINT_ONLY } rule;
 };
 
 #define FIELD(name) offsetof(struct morph_survey, name)
@@ -54,8 +54,8 @@ static const struct row rows[] = {
     { "weights: sum is off 1 by", REAL(sum_error), "%.1e", 1.0, 1e-6, AT_MOST },
     { "weights: least", REAL(weight_min), "%.4f", 1.0, 0.0, AT_LEAST },
     { "weights of drawings: sum is off 1 by", REAL(drawn_sum_error), "%.1e", 1.0, 2e-6, AT_MOST },
-    { "weights of drawings: least", REAL(drawn_weight_min), "%.4f", 1.0, 0.0, TOLD_ONLY },
-    { "keys shown alone", COUNT(keys_alone), "%.0f", 1.0, 0.0, TOLD_ONLY },
+    { "weights of drawings: least", REAL(drawn_weight_min), "%.4f", 1.0, 0.0, PRINT_ONLY },
+    { "keys shown alone", COUNT(keys_alone), "%.0f", 1.0, 0.0, PRINT_ONLY },
     { "key, where shown alone, missed by", FOUND(key_error), "%.1e", 1.0, 0.0, AT_MOST },
     { "triangles turned over: body, eyes", COUNT_FROM(flipped_skin, flipped_at), "%.0f", 1.0, 0.0,
       AT_MOST },
@@ -68,11 +68,11 @@ static const struct row rows[] = {
     { "eye in the head, % of length", FOUND(eye_in_body), "%.3f", 100.0, 0.0, AT_MOST },
     { "pupil in the head, % of length", FOUND(pupil_in_body), "%.3f", 100.0, 0.0, AT_MOST },
     { "eye in the other eye, % of length", FOUND(eye_in_eye), "%.3f", 100.0, 0.0, AT_MOST },
-    { "fin root off the skin, % of length", FOUND(root_off_skin), "%.3f", 100.0, 0.0, TOLD_ONLY },
+    { "fin root off the skin, % of length", FOUND(root_off_skin), "%.3f", 100.0, 0.0, PRINT_ONLY },
     { "volume below the lesser key's, %", FOUND(volume_dip), "%.3f", 100.0, 2.0, AT_MOST },
-    { "dorsal root's path off its chord", REAL(dorsal_root), "%.5f", 1.0, 0.0, TOLD_ONLY },
-    { "right eye's path off its chord", REAL(eye_right), "%.5f", 1.0, 0.0, TOLD_ONLY },
-    { "left eye's path off its chord", REAL(eye_left), "%.5f", 1.0, 0.0, TOLD_ONLY },
+    { "dorsal root's path off its chord", REAL(dorsal_root), "%.5f", 1.0, 0.0, PRINT_ONLY },
+    { "right eye's path off its chord", REAL(eye_right), "%.5f", 1.0, 0.0, PRINT_ONLY },
+    { "left eye's path off its chord", REAL(eye_left), "%.5f", 1.0, 0.0, PRINT_ONLY },
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 
@@ -92,7 +92,7 @@ static float value_of(const struct row *row, const struct morph_survey *survey)
 static bool is_so(const struct row *row, const struct morph_survey *survey)
 {
     const double value = (double)value_of(row, survey) * row->scale;
-    return row->rule == TOLD_ONLY ||
+    return row->rule == PRINT_ONLY ||
            (row->rule == AT_MOST ? value <= row->limit : value >= row->limit);
 }
 
@@ -150,7 +150,7 @@ static void print_text(void)
         for (int column = 0; column < COLUMNS; column++) {
             print_number(row, &plan.survey[column]);
         }
-        if (row->rule != TOLD_ONLY) {
+        if (row->rule != PRINT_ONLY) {
             printf("   %s %g", row->rule == AT_MOST ? "<=" : ">=", row->limit);
         }
         putchar('\n');

@@ -33,9 +33,9 @@ static struct round_result results[ROUNDS_MAX];
 /* State of one run of `kingyoctl play`. */
 struct evening {
     const struct play_options *options;
-    /* `played` is the number of finished rounds. `told` is the number of printed rounds, which are
-     * printed in the order of their numbers. */
-    uint32_t played, told;
+    /* Numbers of finished and of printed rounds. Rounds are printed in the order of their
+     * numbers. */
+    uint32_t played, printed;
     bool shows_progress;
 };
 
@@ -98,9 +98,9 @@ static void print_round(void *self, uint32_t index)
     struct evening *evening = self;
     CORE_ASSERT(index < evening->options->rounds && evening->played < evening->options->rounds);
     evening->played++;
-    while (!evening->options->as_json && evening->told < evening->options->rounds &&
-           results[evening->told].code == EXIT_OK) {
-        const uint32_t at = evening->told++;
+    while (!evening->options->as_json && evening->printed < evening->options->rounds &&
+           results[evening->printed].code == EXIT_OK) {
+        const uint32_t at = evening->printed++;
         report_round(at + 1u, plans[at].seed, &results[at]);
         fflush(stdout);
     }

@@ -113,7 +113,7 @@ static int end_play(struct pin_sweep *sweep, struct ledger_file *file)
     const enum replay_verdict verdict = replay_verifier_result(
         verifier, &file->content.memory.ranking, sweep->round_id, &sweep->kept);
     if (verifier->is_refused || replayer->damaged || replayer->difference.found ||
-        replayer->totals.ticks != verifier->said.ticks) {
+        replayer->totals.ticks != verifier->recorded.ticks) {
         return give_up(sweep, file);
     }
     if (sweep->is_check) {

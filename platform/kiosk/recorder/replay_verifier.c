@@ -13,7 +13,7 @@ int replay_verifier_open(struct replay_verifier *verifier, const uint8_t *bytes,
     CORE_ASSERT(bytes);
     struct core_config config;
     verifier->round = (struct ledger_entry){ 0 };
-    verifier->said = (struct replay_totals){ 0 };
+    verifier->recorded = (struct replay_totals){ 0 };
     verifier->round_tick = 0;
     verifier->is_read = verifier->is_refused = false;
     verifier->bytes = bytes;
@@ -30,13 +30,13 @@ int replay_verifier_read(struct replay_verifier *verifier)
     int more = verifier->is_damaged ? -1 : 1;
     for (uint32_t tick = 0; more == 1 && tick < REPLAY_CHUNK_TICKS; tick++) {
         more = replay_next(reader, &verifier->input);
-        if (more == 1 && reader->totals.rounds != verifier->said.rounds) {
-            verifier->said.rounds = reader->totals.rounds;
+        if (more == 1 && reader->totals.rounds != verifier->recorded.rounds) {
+            verifier->recorded.rounds = reader->totals.rounds;
             verifier->round_tick = reader->tick;
         }
     }
     if (more == 0) {
-        verifier->said = reader->totals;
+        verifier->recorded = reader->totals;
         replay_close(reader);
         struct core_config config;
         if (replayer_begin_in(&verifier->replayer, verifier->bytes, verifier->size, &config)) {
@@ -166,7 +166,7 @@ enum replay_verdict replay_verifier_result(const struct replay_verifier *verifie
     if (verifier->is_damaged || !verifier->is_read || replayer->damaged) {
         return REPLAY_VERDICT_DAMAGED;
     }
-    if (replayer->difference.found || replayer->totals.ticks != verifier->said.ticks ||
+    if (replayer->difference.found || replayer->totals.ticks != verifier->recorded.ticks ||
         verifier->round.id != round_id || verifier->round.round.by_bot ||
         verifier->round.round.unscored || !agrees_with(verifier, ranking, round_id) ||
         (kept->id != 0 && !is_entry(&verifier->round, kept))) {

@@ -38,7 +38,7 @@ struct replay_verifier {
     struct core core;
     struct input input;
     struct output output;
-    struct replay_totals said; /* Totals that are stored in the replay. */
+    struct replay_totals recorded; /* Totals that are stored in the replay. */
     /* Number of the first tick, counted from 1, in the recorded second in which the last round
      * starts. */
     uint32_t round_tick;

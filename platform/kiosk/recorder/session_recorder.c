@@ -12,8 +12,8 @@
 void session_recorder_withhold_pin(struct core_config *config)
 {
     int32_t *kept = &config->persistent.settings.value[SET_PIN];
-    int32_t *told = &config->session.settings_edit.told.value[SET_PIN];
-    *told = *told == *kept ? (*kept != 0 ? PIN_WITHHELD : 0) : *kept == 0 ? PIN_WITHHELD : 0;
+    int32_t *logged = &config->session.settings_edit.logged.value[SET_PIN];
+    *logged = *logged == *kept ? (*kept != 0 ? PIN_WITHHELD : 0) : *kept == 0 ? PIN_WITHHELD : 0;
     *kept = *kept != 0 ? PIN_WITHHELD : 0;
 }
 
@@ -29,7 +29,7 @@ bool session_recorder_may_contain_pin(const struct replay_reader *reader)
     const bool has_initial_state = reader->offset > REPLAY_HEADER_SIZE;
     return !has_header || reader->header.version <= 7u ||
            (has_initial_state && (is_pin(config->persistent.settings.value[SET_PIN]) ||
-                                  is_pin(config->session.settings_edit.told.value[SET_PIN])));
+                                  is_pin(config->session.settings_edit.logged.value[SET_PIN])));
 }
 
 void session_recorder_begin(struct session_recorder *sessions, const struct core *core)

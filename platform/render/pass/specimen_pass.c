@@ -181,7 +181,7 @@ void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *spe
 
 /* Values of the shader uniforms that are identical in the programs for the body and for the
  * fins. */
-struct told {
+struct uniforms {
     float sheets[3];
     float look[4];
     const struct display_transform *transform;
@@ -204,7 +204,7 @@ static void use_program(const struct specimen_program *program, const struct spe
 
 static void send_specimen_uniforms(const struct specimen_program *program,
                                    const struct specimen *specimen,
-                                   const struct specimen_slot *slot, const struct told *told)
+                                   const struct specimen_slot *slot, const struct uniforms *values)
 {
     const struct species_card *const card = &slot->species->card;
     const struct specimen_axes axes = specimen_axes(specimen);
@@ -214,18 +214,18 @@ static void send_specimen_uniforms(const struct specimen_program *program,
     for (uint32_t i = 0; i < 4; i++) {
         tint[i] = (float)(specimen->tint >> (24u - 8u * i) & 255u) / 255.0f;
     }
-    use_program(program, specimen, told->transform);
+    use_program(program, specimen, values->transform);
     glUniformMatrix3fv(program->axes, 1, GL_FALSE, rows);
     glUniform3f(program->swim, specimen->phase_rad, specimen->amplitude, (float)card->motion);
-    glUniform4fv(program->look, 1, told->look);
+    glUniform4fv(program->look, 1, values->look);
     glUniform4fv(program->tint, 1, tint);
     glUniform4f(program->worn, textures_pattern(specimen->look), textures_hue(specimen->look),
                 specimen->ripe, specimen->maturity);
-    glUniform3fv(program->sheets, 1, told->sheets);
+    glUniform3fv(program->sheets, 1, values->sheets);
     for (GLint i = 0; i < (GLint)FISH_TEXTURE_LINES && program->line_place >= 0; i++) {
-        glUniform4fv(program->line_place + i, 1, told->lines[i].place);
-        glUniform4fv(program->line_shape + i, 1, told->lines[i].shape);
-        glUniform3fv(program->line_colour + i, 1, told->lines[i].colour);
+        glUniform4fv(program->line_place + i, 1, values->lines[i].place);
+        glUniform4fv(program->line_shape + i, 1, values->lines[i].shape);
+        glUniform3fv(program->line_colour + i, 1, values->lines[i].colour);
     }
 }
 
@@ -265,12 +265,12 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     struct specimen_slot *const slot = slot_of(pass, specimen);
     const uint32_t lod = specimen->length_px < NEAR_PX ? 1 : 0;
     const struct species_mesh *const mesh = &slot->species->lod[lod];
-    struct told told = { .look = { 1.0f - specimen->fade, fish_texture_scales(slot->worn) },
-                         .transform = transform };
+    struct uniforms values = { .look = { 1.0f - specimen->fade, fish_texture_scales(slot->worn) },
+                               .transform = transform };
     morph_pose(specimen->rig ? specimen->rig : &slot->rig, mesh, specimen->progress, &pass->pose);
     fish_texture_request(slot->worn, &pass->brush, pass->pose.weight[0], specimen->length_px,
-                         told.sheets);
-    fish_texture_lines(slot->worn, pass->pose.weight[0], told.lines);
+                         values.sheets);
+    fish_texture_lines(slot->worn, pass->pose.weight[0], values.lines);
     fish_poses_pack(pass->texels, &pass->pose, MORPH_CURVE_MAX, mesh->anchor_count);
     glBindBuffer(GL_UNIFORM_BUFFER, pass->pose_buffer);
     gl_buffer_refill(GL_UNIFORM_BUFFER, pass->texels, sizeof pass->texels);
@@ -285,9 +285,9 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
         glBindVertexArray(pass->no_attributes);
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }
-    told.look[2] = fish_texture_opacity(slot->worn, pass->pose.weight[0]);
-    send_specimen_uniforms(&pass->body, specimen, slot, &told);
-    send_specimen_uniforms(&pass->fin, specimen, slot, &told);
+    values.look[2] = fish_texture_opacity(slot->worn, pass->pose.weight[0]);
+    send_specimen_uniforms(&pass->body, specimen, slot, &values);
+    send_specimen_uniforms(&pass->fin, specimen, slot, &values);
     /* The scissor rectangle limits the clearing of the depth buffer to the area around the
      * specimen. The depth of earlier specimens is not needed, because specimens on a screen do not
      * overlap. */
@@ -305,7 +305,7 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     glBindVertexArray(slot->mesh[lod].vertex_array);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
-    draw_behind(pass, &slot->mesh[lod], told.look[2] > CLEAR_MIN, told.look);
+    draw_behind(pass, &slot->mesh[lod], values.look[2] > CLEAR_MIN, values.look);
     draw_part(&pass->body, &slot->mesh[lod], false);
     glDepthMask(GL_FALSE);
     draw_part(&pass->fin, &slot->mesh[lod], true);

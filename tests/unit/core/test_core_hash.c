@@ -55,8 +55,8 @@ static const struct part {
     size_t size;
 } parts[] = {
     PART(game.tick),
-    PART(game.settings_edit.told),
-    PART(config.session.settings_edit.told),
+    PART(game.settings_edit.logged),
+    PART(config.session.settings_edit.logged),
     PART(config.session.language.chosen),
     PART(config.session.language.until_tick),
     PART(config.persistent.ranking.row[MODE_COUNT][0][0].caught),

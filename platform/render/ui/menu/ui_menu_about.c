@@ -37,9 +37,9 @@ static void draw_device_row(const struct ui_frame *frame, const struct places *p
     const float top = box.y + (places->head + (float)index * places->pitch) * u;
     const float left = box.x + (22.0f + places->name_width) * u;
     const float room = box.x + box.width - 22.0f * u - left;
-    char row[TEXT_TRANSLATE_SIZE], said[TEXT_TRANSLATE_SIZE];
-    text_translate(said, sizeof said, frame->language, frame->scene->devices.about[index]);
-    const char *words = *said ? said : ui_words(frame, TEXT_DEVICE_NONE);
+    char row[TEXT_TRANSLATE_SIZE], text[TEXT_TRANSLATE_SIZE];
+    text_translate(text, sizeof text, frame->language, frame->scene->devices.about[index]);
+    const char *words = *text ? text : ui_words(frame, TEXT_DEVICE_NONE);
     ui_label_at(frame, box.x + 22.0f * u, top + 0.5f * places->line * u,
                 is_beside ? (places->name_width - 12.0f) * u : room, 24.0f, 0xa85a12ffu,
                 names[index]);

@@ -81,12 +81,12 @@ void menu_rows(const struct ui_frame *frame)
     }
     if (count == 0) {
         /* The controller manager's status line states why no controller is connected. */
-        char said[TEXT_TRANSLATE_SIZE];
-        text_translate(said, sizeof said, frame->language, frame->scene->devices.controllers);
+        char text[TEXT_TRANSLATE_SIZE];
+        text_translate(text, sizeof text, frame->language, frame->scene->devices.controllers);
         menu_note(frame, canvas_box(60, 280, 1160, 60), canvas_box(27, 560, 800, 60),
                   ui_body(frame, 32.0f, UI_CREAM), ui_words(frame, TEXT_MENU_NONE));
         menu_note(frame, canvas_box(60, 344, 1160, 50), canvas_box(27, 624, 800, 50),
-                  ui_body(frame, 24.0f, 0xf0c089ffu), said);
+                  ui_body(frame, 24.0f, 0xf0c089ffu), text);
     }
 }
 

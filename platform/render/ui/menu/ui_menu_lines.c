@@ -109,9 +109,9 @@ static void draw_input_line_notes(const struct ui_frame *frame)
      * to fit. */
     const struct ui_text style =
         ui_body(frame, 22.0f, devices->buttons_missing ? 0xff9c86ffu : MENU_NOTE);
-    char row[TEXT_TRANSLATE_SIZE], said[TEXT_TRANSLATE_SIZE];
-    text_translate(said, sizeof said, frame->language, devices->lines);
-    const char *rest = said;
+    char row[TEXT_TRANSLATE_SIZE], text[TEXT_TRANSLATE_SIZE];
+    text_translate(text, sizeof text, frame->language, devices->lines);
+    const char *rest = text;
     for (uint32_t i = 0; i < STATE_ROWS && *rest; i++) {
         menu_take_line(style, &rest, width * frame->unit, i + 1u == STATE_ROWS, row, sizeof row);
         ui_words_in(frame, ui_place(frame, canvas_box(x, y + 28.0f * (float)i, width, 28.0f)),

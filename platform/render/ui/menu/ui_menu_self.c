@@ -30,7 +30,7 @@ static const struct places layouts[2] = {
 _Static_assert(SELF_CHECKS == 14u, "both sheets have a row for each check");
 
 /* A text key, and the number that replaces {} in the text. */
-struct said {
+struct text {
     enum text_key key;
     uint32_t number;
 };
@@ -48,7 +48,7 @@ static const enum text_key names[SELF_CHECKS] = {
 };
 
 /* Text of each check in each state, if the text contains no number. 0 means that the text contains
- * a number, which figures_say() returns, or that the check never has the state. */
+ * a number, which number_text() returns, or that the check never has the state. */
 static const enum text_key plain[SELF_CHECKS][SELF_STATES] = {
     [SELF_STORE] = { [SELF_GOOD] = TEXT_CHECK_STORE_GOOD,
                      [SELF_LOOK] = TEXT_CHECK_STORE_LOOK,
@@ -70,16 +70,16 @@ static const enum text_key plain[SELF_CHECKS][SELF_STATES] = {
 };
 
 /* Returns the text of a check whose text contains a number. */
-static struct said figures_say(const struct ui_frame *frame, uint32_t check, uint8_t state)
+static struct text number_text(const struct ui_frame *frame, uint32_t check, uint8_t state)
 {
     const struct scene *const scene = frame->scene;
     const struct scene_machine *const machine = &scene->devices.machine;
     switch (check) {
     case SELF_BACKUP: {
         const uint32_t minutes = machine->backup_min;
-        return state == SELF_GOOD    ? (struct said){ TEXT_CHECK_BACKUP_GOOD, minutes }
-               : machine->has_backup ? (struct said){ TEXT_CHECK_BACKUP_LOOK, minutes / 60u }
-                                     : (struct said){ TEXT_CHECK_BACKUP_NONE, 0 };
+        return state == SELF_GOOD    ? (struct text){ TEXT_CHECK_BACKUP_GOOD, minutes }
+               : machine->has_backup ? (struct text){ TEXT_CHECK_BACKUP_LOOK, minutes / 60u }
+                                     : (struct text){ TEXT_CHECK_BACKUP_NONE, 0 };
     }
     case SELF_DATA: {
         static const enum text_key keys[] = {
@@ -87,36 +87,37 @@ static struct said figures_say(const struct ui_frame *frame, uint32_t check, uin
             [KEEPS_FOLDER] = TEXT_CHECK_DATA_FOLDER, [KEEPS_MEMORY] = TEXT_CHECK_DATA_MEMORY,
             [KEEPS_NOT] = TEXT_CHECK_DATA_BAD,       [KEEPS_NOWHERE] = TEXT_CHECK_DATA_NOWHERE,
         };
-        return (struct said){
+        return (struct text){
             keys[machine->keeps <= KEEPS_NOWHERE ? machine->keeps : (uint8_t)KEEPS_UNKNOWN], 0
         };
     }
     case SELF_ROOM:
-        return state != SELF_GOOD ? (struct said){ TEXT_CHECK_ROOM_LOOK, machine->room_mib }
+        return state != SELF_GOOD ? (struct text){ TEXT_CHECK_ROOM_LOOK, machine->room_mib }
                : machine->room_mib < 10240u
-                   ? (struct said){ TEXT_CHECK_ROOM_GOOD, machine->room_mib }
-                   : (struct said){ TEXT_CHECK_ROOM_AMPLE, machine->room_mib / 1024u };
+                   ? (struct text){ TEXT_CHECK_ROOM_GOOD, machine->room_mib }
+                   : (struct text){ TEXT_CHECK_ROOM_AMPLE, machine->room_mib / 1024u };
     case SELF_HEAT: {
         const uint32_t margin_c =
             machine->heat_margin_c > 0 ? (uint32_t)machine->heat_margin_c : 0u;
-        return !machine->has_heat   ? (struct said){ TEXT_CHECK_HEAT_NONE, 0 }
-               : state == SELF_GOOD ? (struct said){ TEXT_CHECK_HEAT_GOOD, margin_c }
-               : state == SELF_LOOK ? (struct said){ TEXT_CHECK_HEAT_LOOK, margin_c }
-                                    : (struct said){ TEXT_CHECK_HEAT_BAD, 0 };
+        return !machine->has_heat   ? (struct text){ TEXT_CHECK_HEAT_NONE, 0 }
+               : state == SELF_GOOD ? (struct text){ TEXT_CHECK_HEAT_GOOD, margin_c }
+               : state == SELF_LOOK ? (struct text){ TEXT_CHECK_HEAT_LOOK, margin_c }
+                                    : (struct text){ TEXT_CHECK_HEAT_BAD, 0 };
     }
     case SELF_CLOCK:
-        return (struct said){ machine->is_clock_back ? TEXT_CHECK_CLOCK_BACK
+        return (struct text){ machine->is_clock_back ? TEXT_CHECK_CLOCK_BACK
                                                      : TEXT_CHECK_CLOCK_LOOK,
                               0 };
     case SELF_DISPLAY:
-        return (struct said){ state == SELF_GOOD ? TEXT_CHECK_DISPLAY_GOOD : TEXT_CHECK_DISPLAY_BAD,
+        return (struct text){ state == SELF_GOOD ? TEXT_CHECK_DISPLAY_GOOD : TEXT_CHECK_DISPLAY_BAD,
                               scene->devices.frames_a_second };
     case SELF_LAMP:
-        return (struct said){ scene->menu.self.moved == SELF_UNSAID ? TEXT_CHECK_LAMP_NONE
-                                                                    : TEXT_CHECK_LAMP_GOOD,
+        return (struct text){ scene->menu.self.lamp_answer == SELF_UNANSWERED
+                                  ? TEXT_CHECK_LAMP_NONE
+                                  : TEXT_CHECK_LAMP_GOOD,
                               0 };
     default:
-        return (struct said){ scene->menu.test_coins > 0 ? TEXT_CHECK_COINS_GOOD
+        return (struct text){ scene->menu.test_coins > 0 ? TEXT_CHECK_COINS_GOOD
                                                          : TEXT_CHECK_COINS_FREE,
                               scene->menu.test_coins };
     }
@@ -153,8 +154,8 @@ static void row_words(const struct ui_frame *frame, uint32_t check, uint8_t stat
                  scene->menu.self.minute / 60u, scene->menu.self.minute % 60u);
         return;
     }
-    const struct said said = key ? (struct said){ key, 0 } : figures_say(frame, check, state);
-    text_number(out, out_size, ui_words(frame, said.key), said.number);
+    const struct text text = key ? (struct text){ key, 0 } : number_text(frame, check, state);
+    text_number(out, out_size, ui_words(frame, text.key), text.number);
 }
 
 /* ---- Rows, one for each check --------------------------------------------------------------- */

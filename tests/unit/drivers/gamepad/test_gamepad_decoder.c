@@ -311,8 +311,8 @@ static void test_the_path_is_equal_at_every_frame_rate(void **state)
 static void test_random_input_gives_finite_poses(void **state)
 {
     (void)state;
-    sim.feed.spoil_from = 100;
-    sim.feed.spoil_to = 900;
+    sim.feed.random_from = 100;
+    sim.feed.random_to = 900;
     sim.feed.jump_at = 50;
     sim.feed.double_every = 3;
     play_ms(5000, 16);

@@ -202,8 +202,8 @@ static void test_a_faulty_panel_gives_finite_samples_in_order(void **state)
     sim.feed.double_every = 3;
     sim.mute_every = 4;
     sim.feed.jump_at = 77;
-    sim.feed.spoil_from = 200;
-    sim.feed.spoil_to = 800;
+    sim.feed.random_from = 200;
+    sim.feed.random_to = 800;
     sim.feed.silent_from_ns = 3000 * MS;
     sim.feed.silent_to_ns = 4000 * MS;
     play_out();

@@ -263,14 +263,14 @@ static void test_random_pointer_reports_are_tolerated(void **state)
     (void)state;
     open_with_pointer();
     start_round();
-    rig.pointer.feed.spoil_to = UINT32_MAX;
+    rig.pointer.feed.random_to = UINT32_MAX;
     rig.report.width_px = 1280;
     for (uint32_t i = 0; i < 600; i++) {
-        rig.pointer.feed.spoil_from = i % 7u ? 0 : UINT32_MAX;
+        rig.pointer.feed.random_from = i % 7u ? 0 : UINT32_MAX;
         frame();
         assert_true(v3_is_finite(seen()->target.position_m));
     }
-    assert_true(rig.pointer.spoil_count > 500);
+    assert_true(rig.pointer.random_count > 500);
 }
 
 /* A mouse may rest for any time, here for 10 s, so an unchanged position must not count as a stuck

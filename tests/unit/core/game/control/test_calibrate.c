@@ -44,14 +44,14 @@ static struct twin twin_of(uint32_t frame)
     };
 }
 
-static struct calibration_said said_by(const struct twin *twin)
+static struct calibration_sample sample_of(const struct twin *twin)
 {
-    struct calibration_said said = { .has_wrist = 1 };
+    struct calibration_sample sample = { .has_wrist = 1 };
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
-        said.corner_m[i] = seen_point(twin, input_calibration_mark(tank_m, i));
+        sample.corner_m[i] = seen_point(twin, input_calibration_mark(tank_m, i));
     }
-    said.water = seen(twin, (struct poi_target){ 0 });
-    return said;
+    sample.water = seen(twin, (struct poi_target){ 0 });
+    return sample;
 }
 
 /* ---- The calibration map -------------------------------------------------------------------- */
@@ -62,10 +62,10 @@ static void test_calibration_corrects_any_frame_within_1_mm(void **state)
     float worst_m = 0.0f, worst_rad = 0.0f;
     for (uint32_t frame = 0; frame < FRAMES; frame++) {
         const struct twin twin = twin_of(frame);
-        const struct calibration_said said = said_by(&twin);
+        const struct calibration_sample sample = sample_of(&twin);
         int32_t value[CALIBRATION_VALUES];
         struct settings settings = { { 0 } };
-        assert_int_equal(input_calibration_solve(&said, tank_m, value), CALIBRATION_GOOD);
+        assert_int_equal(input_calibration_solve(&sample, tank_m, value), CALIBRATION_GOOD);
         for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
             assert_true(settings_allows(input_calibration_setting(2) + i, value[i]));
         }
@@ -97,15 +97,16 @@ static void test_calibration_averages_small_errors_at_the_marks(void **state)
     (void)state;
     for (uint32_t frame = 0; frame < FRAMES; frame++) {
         const struct twin twin = twin_of(frame);
-        struct calibration_said said = said_by(&twin);
+        struct calibration_sample sample = sample_of(&twin);
         int32_t value[CALIBRATION_VALUES];
         struct settings settings = { { 0 } };
         for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
             const vec3 off_m = v3(draw(frame, 20u + i, -0.005f, 0.005f), 0.0f,
                                   draw(frame, 30u + i, -0.005f, 0.005f));
-            said.corner_m[i] = seen_point(&twin, v3_add(input_calibration_mark(tank_m, i), off_m));
+            sample.corner_m[i] =
+                seen_point(&twin, v3_add(input_calibration_mark(tank_m, i), off_m));
         }
-        assert_int_equal(input_calibration_solve(&said, tank_m, value), CALIBRATION_GOOD);
+        assert_int_equal(input_calibration_solve(&sample, tank_m, value), CALIBRATION_GOOD);
         set_values(&settings, 0, value);
         for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
             const vec3 mark_m = input_calibration_mark(tank_m, i);
@@ -140,21 +141,21 @@ static void test_an_uncalibrated_pose_is_not_changed(void **state)
 
 /* ---- Rejected calibration marks ------------------------------------------------------------- */
 
-static enum calibration_fault fault_of(const struct calibration_said *said)
+static enum calibration_fault fault_of(const struct calibration_sample *sample)
 {
     int32_t value[CALIBRATION_VALUES] = { 7, 7, 7, 7, 7, 7, 7, 7, 7 };
-    const enum calibration_fault fault = input_calibration_solve(said, tank_m, value);
+    const enum calibration_fault fault = input_calibration_solve(sample, tank_m, value);
     for (uint32_t i = 0; i < CALIBRATION_VALUES && fault != CALIBRATION_GOOD; i++) {
         assert_int_equal(value[i], 7);
     }
     return fault;
 }
 
-static void swap_corners(struct calibration_said *said, uint32_t a, uint32_t b)
+static void swap_corners(struct calibration_sample *sample, uint32_t a, uint32_t b)
 {
-    const vec3 kept_m = said->corner_m[a];
-    said->corner_m[a] = said->corner_m[b];
-    said->corner_m[b] = kept_m;
+    const vec3 kept_m = sample->corner_m[a];
+    sample->corner_m[a] = sample->corner_m[b];
+    sample->corner_m[b] = kept_m;
 }
 
 static void test_invalid_marks_are_rejected_with_a_reason(void **state)
@@ -162,34 +163,34 @@ static void test_invalid_marks_are_rejected_with_a_reason(void **state)
     (void)state;
     for (uint32_t frame = 0; frame < FRAMES; frame++) {
         const struct twin twin = twin_of(frame);
-        const struct calibration_said good = said_by(&twin);
-        struct calibration_said said = good;
-        said.corner_m[2] = v3_add(said.corner_m[1], v3(0.012f, 0.3f, 0.012f));
-        assert_int_equal(fault_of(&said), CALIBRATION_NEAR);
-        said = good;
-        swap_corners(&said, frame % 4u, (frame + 1u) % 4u);
-        assert_int_equal(fault_of(&said), CALIBRATION_CROSSED);
-        said = good;
-        swap_corners(&said, frame % 2u, frame % 2u + 2u);
-        assert_int_equal(fault_of(&said), CALIBRATION_MIRRORED);
-        said = good;
+        const struct calibration_sample good = sample_of(&twin);
+        struct calibration_sample sample = good;
+        sample.corner_m[2] = v3_add(sample.corner_m[1], v3(0.012f, 0.3f, 0.012f));
+        assert_int_equal(fault_of(&sample), CALIBRATION_NEAR);
+        sample = good;
+        swap_corners(&sample, frame % 4u, (frame + 1u) % 4u);
+        assert_int_equal(fault_of(&sample), CALIBRATION_CROSSED);
+        sample = good;
+        swap_corners(&sample, frame % 2u, frame % 2u + 2u);
+        assert_int_equal(fault_of(&sample), CALIBRATION_MIRRORED);
+        sample = good;
         /* Places all marks on one line. No calibration can be computed from such marks. */
         for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
-            said.corner_m[i] = v3_scale(v3(1.0f, 0.0f, 0.4f), (float)i);
+            sample.corner_m[i] = v3_scale(v3(1.0f, 0.0f, 0.4f), (float)i);
         }
-        assert_int_equal(fault_of(&said), CALIBRATION_CROSSED);
-        said = good;
-        said.water.position_m.y = 10.5f;
-        assert_int_equal(fault_of(&said), CALIBRATION_FAR);
-        said = good;
-        said.corner_m[frame % 4u] =
+        assert_int_equal(fault_of(&sample), CALIBRATION_CROSSED);
+        sample = good;
+        sample.water.position_m.y = 10.5f;
+        assert_int_equal(fault_of(&sample), CALIBRATION_FAR);
+        sample = good;
+        sample.corner_m[frame % 4u] =
             seen_point(&twin, v3_scale(input_calibration_mark(tank_m, frame % 4u), 0.85f));
-        assert_int_equal(fault_of(&said), CALIBRATION_UNEVEN);
-        said = good;
-        said.water.angles.roll_rad = frame % 2u ? 0.80f : -0.80f;
-        assert_int_equal(fault_of(&said), CALIBRATION_TILTED);
-        said.has_wrist = 0;
-        assert_int_equal(fault_of(&said), CALIBRATION_GOOD);
+        assert_int_equal(fault_of(&sample), CALIBRATION_UNEVEN);
+        sample = good;
+        sample.water.angles.roll_rad = frame % 2u ? 0.80f : -0.80f;
+        assert_int_equal(fault_of(&sample), CALIBRATION_TILTED);
+        sample.has_wrist = 0;
+        assert_int_equal(fault_of(&sample), CALIBRATION_GOOD);
     }
 }
 

@@ -156,7 +156,7 @@ static const struct settings *settings_of(const uint8_t *bytes, size_t size)
 static void lock(uint32_t pin)
 {
     core.config.persistent.settings.value[SET_PIN] = pin_hide(pin, 5);
-    core.game.settings_edit.told = core.config.persistent.settings;
+    core.game.settings_edit.logged = core.config.persistent.settings;
     static struct core_config config;
     config = core.config;
     assert_int_equal(core_init(&core, &config), CORE_OK);
@@ -180,7 +180,7 @@ static void test_a_stored_replay_contains_no_pin_and_verifies(void **state)
     assert_int_equal(replay_open_in(&reader, room, sim.replay_size), 0);
     const struct core_config *config = &reader.header.config;
     assert_int_equal(config->persistent.settings.value[SET_PIN], PIN_WITHHELD);
-    assert_int_equal(config->session.settings_edit.told.value[SET_PIN], PIN_WITHHELD);
+    assert_int_equal(config->session.settings_edit.logged.value[SET_PIN], PIN_WITHHELD);
     replay_close(&reader);
 }
 
@@ -192,7 +192,7 @@ static void begin_with_pin(int32_t told, int32_t kept)
     rest(); /* A new session begins here, and its configuration then gets both PINs. */
     config = core.config;
     config.persistent.settings.value[SET_PIN] = kept;
-    config.session.settings_edit.told.value[SET_PIN] = told;
+    config.session.settings_edit.logged.value[SET_PIN] = told;
     assert_int_equal(core_init(&core, &config), CORE_OK);
     session_recorder_begin(&sessions, &core);
 }
@@ -205,7 +205,7 @@ static void test_a_replay_after_a_change_of_the_pin_verifies(void **state)
     play();
     for (uint32_t i = 0; i < sizeof told_kept / sizeof told_kept[0]; i++) {
         begin_with_pin(told_kept[i][0], told_kept[i][1]);
-        assert_int_equal(core.game.settings_edit.told.value[SET_PIN], told_kept[i][0]);
+        assert_int_equal(core.game.settings_edit.logged.value[SET_PIN], told_kept[i][0]);
         const uint32_t round_id = play();
         assert_int_equal(sim.replay_id, round_id);
         const struct settings *start = settings_of(room, sim.replay_size);
@@ -230,7 +230,7 @@ static void assert_panic_replay_ends_in(uint64_t hash)
     assert_int_equal(replayer_begin(&replayer, path, &config), 0);
     unlink(path);
     assert_int_equal(config.persistent.settings.value[SET_PIN], PIN_WITHHELD);
-    assert_int_equal(config.session.settings_edit.told.value[SET_PIN], 0);
+    assert_int_equal(config.session.settings_edit.logged.value[SET_PIN], 0);
     const struct kiosk_source source = replayer_source(&replayer);
     const struct kiosk_tap tap = replayer_tap(&replayer);
     struct input recorded = { 0 };
@@ -436,7 +436,7 @@ static void test_each_single_mismatch_makes_a_score_not_genuine(void **state)
     assert_int_equal(says(round_id + 1u), REPLAY_VERDICT_OTHER);
     *row = ranked;
     assert_int_equal(says(round_id), REPLAY_VERDICT_GENUINE);
-    verifier.said
+    verifier.recorded
         .ticks++; /* The recorded number of ticks is now larger than the replayed number. */
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
     verifier = found;
@@ -483,7 +483,7 @@ static void test_a_round_of_the_next_session_verifies_alone(void **state)
     const uint32_t round_id = play();
     assert_int_equal(sim.replay_id, round_id);
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
-    assert_in_range(verifier.said.ticks, 20u * CORE_TICK_HZ, 40u * CORE_TICK_HZ);
+    assert_in_range(verifier.recorded.ticks, 20u * CORE_TICK_HZ, 40u * CORE_TICK_HZ);
 }
 
 static void test_a_replay_is_stored_only_after_its_score(void **state)
@@ -588,7 +588,7 @@ static void test_a_long_replay_is_read_within_the_time_budget_of_each_frame(void
         score_playback_show(&playback, &scene, &output);
         assert_int_equal(scene.playback, PLAYBACK_SEEKS);
     }
-    assert_in_range(frames, playback.verifier.said.ticks / (3u * CORE_TICK_HZ) - 1u, 100);
+    assert_in_range(frames, playback.verifier.recorded.ticks / (3u * CORE_TICK_HZ) - 1u, 100);
     assert_true(frames >= 3u);
     score_playback_end(&playback);
 }

@@ -543,8 +543,8 @@ static void test_the_opening_checklist_fits_its_page_in_every_state(void **state
         scene.devices.frames_a_second = way & 1u ? 4294967295u : 0u;
         scene.devices.files_refused = way & 1u;
         scene.menu.self = (struct scene_self_test){
-            .heard = (uint8_t)(way % 3u),
-            .moved = (uint8_t)(way % 3u),
+            .sound_answer = (uint8_t)(way % 3u),
+            .lamp_answer = (uint8_t)(way % 3u),
             .players = 4,
             .store = (uint8_t)(way % SELF_STATES),
             .clock = way & 1u ? SELF_GOOD : SELF_LOOK,
