@@ -44,7 +44,8 @@ run-tests:
 
 ## build/tests: Build what `make test` runs without running it
 tests: build $(UNIT) $(GPIO_TEST) $(E2E) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/check_trace \
-    $(BUILD)/tests/bench/technique $(BUILD)/tests/bench/day/bench_day $(BUILD)/tests/power/power
+    $(BUILD)/tests/bench/technique $(BUILD)/tests/bench/day/bench_day $(BUILD)/tests/bench/players/hints \
+    $(BUILD)/tests/power/power
 
 ## test/check: Run boundaries, tests and sizes, as before each commit
 check: boundaries

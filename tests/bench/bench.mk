@@ -118,7 +118,7 @@ $(BENCH_PLAY): %: %.o $(BUILD)/tests/bench/league.o $(BUILD)/tests/bench/progres
 BENCH_PLAYERS := $(BUILD)/tests/bench/players/players
 PERSON_OBJ := $(patsubst %,$(BUILD)/tests/bench/players/%.o,sim_player habits device person) \
     $(BUILD)/tests/bench/progress.o
-PLAYERS_OBJ := $(PERSON_OBJ) $(patsubst %,$(BUILD)/tests/bench/players/%.o,round goals) $(BUILD)/tests/bench/statistics.o
+PLAYERS_OBJ := $(PERSON_OBJ) $(patsubst %,$(BUILD)/tests/bench/players/%.o,round round_pool goals) $(BUILD)/tests/bench/statistics.o
 LEVEL ?= master
 bench-players: SEEDS = 60
 

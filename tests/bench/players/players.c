@@ -10,19 +10,17 @@
  * Returns exit status 1 if a target (goals.c) is missed. With fewer than SEEDS_ENOUGH seeds, missed
  * targets are only printed, because the median of few rounds varies too much. */
 #include <errno.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-#include "platform/cpu.h"
 #include "platform/ctl/play/rounds.h"
 #include "platform/os/exit_code.h"
 #include "platform/os/number.h"
 #include "core/game/rules.h"
 #include "tests/bench/players/goals.h"
-#include "tests/bench/progress.h"
+#include "tests/bench/players/round_pool.h"
 
 #define SEEDS_MAX 2000u
 #define SEEDS_ENOUGH 30u
@@ -38,7 +36,7 @@ struct player_options {
     const char *only; /* Names of the players who play, separated by commas; empty means all. */
 };
 
-/* ---- Rounds on all cores --------------------------------------------------------------------- */
+/* ---- Rounds ---------------------------------------------------------------------------------- */
 
 struct league_hall {
     const struct player_options *options;
@@ -47,59 +45,33 @@ struct league_hall {
     /* Results of all rounds: first the `options->seeds` rounds of the first player, then those of
      * the second player, and so on. */
     struct player_round *rounds;
-    struct progress progress;
-    pthread_mutex_t lock;
-    /* Number of the next round to play. First all players play the first seed, then all players
-     * play the second seed, and so on. */
-    uint32_t next;
-    bool failed;
 };
 
-static void *work(void *self)
+/* Plays all rounds. First all players play the first seed, then all players play the second seed,
+ * and so on. Returns false if there is no memory, or if a round did not end. */
+static bool play_all(struct league_hall *hall, double *took_s)
 {
-    struct league_hall *hall = self;
-    const uint32_t count = hall->player_count * hall->options->seeds;
-    struct round_worker *worker = malloc(sizeof *worker);
-    cpu_set_float();
-    pthread_mutex_lock(&hall->lock);
-    hall->failed |= worker == NULL;
-    while (!hall->failed && hall->next < count) {
-        const uint32_t index = hall->next++, player = index % hall->player_count;
-        const uint32_t seed = index / hall->player_count;
-        struct player_round *round = &hall->rounds[player * hall->options->seeds + seed];
-        pthread_mutex_unlock(&hall->lock);
-        const bool is_played = round_play(worker, hall->players[player], hall->options->level,
-                                          hall->options->first + seed, round);
-        pthread_mutex_lock(&hall->lock);
-        hall->failed |= !is_played;
-        progress_add(&hall->progress);
+    const struct player_options *options = hall->options;
+    const uint32_t count = hall->player_count * options->seeds;
+    struct pool_round *pool = calloc(count, sizeof *pool);
+    hall->rounds = calloc(count, sizeof *hall->rounds);
+    for (uint32_t i = 0; pool && hall->rounds && i < count; i++) {
+        const uint32_t player = i % hall->player_count, seed = i / hall->player_count;
+        pool[i] = (struct pool_round){ .habits = hall->players[player],
+                                       .seed = options->first + seed,
+                                       .result = &hall->rounds[player * options->seeds + seed] };
     }
-    pthread_mutex_unlock(&hall->lock);
-    free(worker);
-    return NULL;
-}
-
-/* Plays all rounds. Returns false if a round did not end. */
-static bool play_all(struct league_hall *hall)
-{
-    pthread_t threads[ROUNDS_WORKERS_MAX];
-    uint32_t helpers = 0;
-    while (helpers + 1u < rounds_workers() &&
-           pthread_create(&threads[helpers], NULL, work, hall) == 0) {
-        helpers++;
-    }
-    work(hall);
-    for (uint32_t i = 0; i < helpers; i++) {
-        pthread_join(threads[i], NULL);
-    }
-    return !hall->failed;
+    const bool is_played =
+        pool && hall->rounds && round_pool_play(speaker, pool, count, options->level, took_s);
+    free(pool);
+    return is_played;
 }
 
 /* ---- Report ---------------------------------------------------------------------------------- */
 
 /* Sums over the rounds of one player. */
 struct tally {
-    uint32_t torn, scoops, attempts, flights, sight, pressure;
+    uint32_t torn, scoops, near_misses, attempts, flights, sight, pressure;
     /* Number of rounds in which the first torn cell had each cause. */
     uint32_t first[TEAR_CAUSE_COUNT];
     uint32_t cells[TEAR_CAUSE_COUNT], ends[ATTEMPT_END_COUNT];
@@ -115,6 +87,7 @@ static struct tally tally_of(const struct player_round *rounds, uint32_t count)
         sum.torn += round->torn;
         sum.torn_s += round->torn_s;
         sum.scoops += round->scoops;
+        sum.near_misses += round->near_misses;
         sum.flights += round->flights;
         sum.sight += round->flights_by_sight;
         sum.pressure += round->flights_by_pressure;
@@ -146,13 +119,14 @@ static double per(double sum, uint32_t count)
 static void print_catches(const struct league_hall *hall, const struct score *scores)
 {
     const uint32_t seeds = hall->options->seeds;
-    printf("  %-14s %6s %6s %7s %6s %6s %7s  %s\n", "caught", "mean", "median", "empty", "dips",
-           "torn", "after", "rounds by the load of the first tear");
+    printf("  %-14s %6s %6s %7s %6s %6s %6s %7s  %s\n", "caught", "mean", "median", "empty", "dips",
+           "missed", "torn", "after", "rounds by the load of the first tear");
     for (uint32_t i = 0; i < hall->player_count; i++) {
         const struct tally sum = tally_of(hall->rounds + i * seeds, seeds);
-        printf("  %-14s %6.2f %6.1f %5.0f %% %6.1f %4.0f %% %5.0f s ", scores[i].player,
+        printf("  %-14s %6.2f %6.1f %5.0f %% %6.1f %6.2f %4.0f %% %5.0f s ", scores[i].player,
                scores[i].mean, scores[i].median, 100.0 * scores[i].empty_share,
-               per(sum.scoops, seeds), 100.0 * per(sum.torn, seeds), per(sum.torn_s, sum.torn));
+               per(sum.scoops, seeds), per(sum.near_misses, seeds), 100.0 * per(sum.torn, seeds),
+               per(sum.torn_s, sum.torn));
         for (uint32_t k = 0; k < TEAR_CAUSE_COUNT; k++) {
             if (sum.first[k] > 0) {
                 printf(" %s %u", round_tear_names[k], sum.first[k]);
@@ -189,9 +163,9 @@ static void print_attempts(const struct league_hall *hall)
 static void write_round(FILE *file, const char *player, const char *level, uint32_t seed,
                         const struct player_round *round)
 {
-    fprintf(file, "%s\t%s\t%u\t%u\t%u\t%.3f\t%.3f\t%.3f\t%s", player, level, seed, round->caught,
-            round->scoops, round->torn_s, round->first_s, round->wet_s,
-            round->first_s > 0.0 ? round_tear_names[round->first_cause] : "");
+    fprintf(file, "%s\t%s\t%u\t%u\t%u\t%u\t%.3f\t%.3f\t%.3f\t%s", player, level, seed,
+            round->caught, round->scoops, round->near_misses, round->torn_s, round->first_s,
+            round->wet_s, round->first_s > 0.0 ? round_tear_names[round->first_cause] : "");
     for (uint32_t k = 0; k < TEAR_CAUSE_COUNT; k++) {
         fprintf(file, "\t%u", round->cells[k]);
     }
@@ -212,7 +186,9 @@ static enum exit_code write_rounds(const struct league_hall *hall)
         fprintf(stderr, "%s: %s: %s\n", speaker, path, strerror(errno));
         return EXIT_IO;
     }
-    fputs("player\tlevel\tseed\tcaught\tdips\ttorn_s\tfirst_tear_s\twet_s\tfirst_cause", file);
+    fputs(
+        "player\tlevel\tseed\tcaught\tdips\tnear_misses\ttorn_s\tfirst_tear_s\twet_s\tfirst_cause",
+        file);
     for (uint32_t k = 0; k < TEAR_CAUSE_COUNT; k++) {
         fprintf(file, "\tcells_%s", round_tear_names[k]);
     }
@@ -268,13 +244,7 @@ static bool read_option(const char *name, const char *value, struct player_optio
         options->only = value;
         return true;
     }
-    for (uint8_t level = 0; level < LEVEL_COUNT; level++) {
-        if (strcmp(name, "--level") == 0 && strcmp(value, rules_of_level(level)->name) == 0) {
-            options->level = level;
-            return true;
-        }
-    }
-    return false;
+    return strcmp(name, "--level") == 0 && round_pool_level(value, &options->level);
 }
 
 static bool read_options(int argc, char **argv, struct player_options *options)
@@ -308,7 +278,7 @@ static bool is_listed(const char *list, const char *player)
 int main(int argc, char **argv)
 {
     struct player_options options = { .level = LEVEL_MASTER, .only = "" };
-    struct league_hall hall = { .options = &options, .lock = PTHREAD_MUTEX_INITIALIZER };
+    struct league_hall hall = { .options = &options };
     if (read_options(argc, argv, &options)) {
         for (uint32_t i = 0; i < sim_player_table_count && i < PLAYERS_MAX; i++) {
             if (is_listed(options.only, sim_player_table[i].name)) {
@@ -324,12 +294,8 @@ int main(int argc, char **argv)
         return EXIT_USAGE;
     }
     const uint32_t count = hall.player_count * options.seeds;
-    hall.rounds = calloc(count, sizeof *hall.rounds);
-    hall.progress = progress_begin(speaker, count);
-    const bool is_played = hall.rounds && play_all(&hall);
-    const double took_s = progress_end(&hall.progress);
-    if (!is_played) {
-        fprintf(stderr, "%s: a round did not come to its end\n", speaker);
+    double took_s = 0.0;
+    if (!play_all(&hall, &took_s)) {
         free(hall.rounds);
         return EXIT_NOT_SO;
     }

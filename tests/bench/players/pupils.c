@@ -91,9 +91,10 @@ static void dips_half(struct habits *ill, struct habits *cured)
     ill->depth_m = 0.006f;
 }
 
+/* A beginner does not see how deep a fish swims. */
 static void takes_any_fish(struct habits *ill, struct habits *cured)
 {
-    ill->cost_depth = 3.0f;
+    ill->cost_depth = 0.0f;
     ill->cost_random_px = 300.0f;
     *cured = *ill;
     cured->takes_marked = true;

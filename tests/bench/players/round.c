@@ -124,6 +124,9 @@ static void observe_tick(void *self, const struct input *input, const struct cor
 {
     struct round_worker *worker = self;
     (void)input;
+    const uint32_t miss_tick = core->world.near_miss[0].tick;
+    worker->result->near_misses += miss_tick != 0 && miss_tick != worker->miss_tick;
+    worker->miss_tick = miss_tick;
     observe_paper(worker->result, core);
     observe_attempt(worker, core);
 }
@@ -161,6 +164,7 @@ static bool worker_open(struct round_worker *worker, const struct habits *habits
     worker->is_bot = habits->device == PLAYER_BOT;
     worker->prey_fled = false;
     worker->state = PLAYER_CHOOSE;
+    worker->miss_tick = 0;
     worker->hal = null_hal(NULL);
     person_init(&worker->person, habits, view, 0, seed, 0);
     worker->hal.clock = config.stopwatch = sim_clock_device(&worker->person.clock);

@@ -35,8 +35,9 @@ struct player_round {
     /* True if the round was played to its end. */
     bool is_played;
     uint32_t caught, scoops;
-    bool torn;      /* True if the paper tore so far that it could no longer hold a fish. */
-    double torn_s;  /* Time in the round at which `torn` became true, in seconds. */
+    uint32_t near_misses; /* Number of near misses that the kiosk announced (near_miss.h). */
+    bool torn;            /* True if the paper tore so far that it could no longer hold a fish. */
+    double torn_s;        /* Time in the round at which `torn` became true, in seconds. */
     double first_s; /* Time of the first torn cell in the round, in seconds; 0 if no cell tore. */
     /* Time in seconds for which the paper had been wet when the first cell tore, as a mean over all
      * cells of the paper. */
@@ -66,8 +67,9 @@ struct round_worker {
     bool prey_fled;       /* True after the chosen fish has fled in this attempt. */
     /* Outcome that the current attempt has so far (enum attempt_end). */
     uint8_t attempt_end;
-    uint8_t state;     /* State of the player in the previous tick. */
-    uint64_t dip_tick; /* Tick of the last dip. */
+    uint8_t state;      /* State of the player in the previous tick. */
+    uint64_t dip_tick;  /* Tick of the last dip. */
+    uint32_t miss_tick; /* Tick of the last near miss that was announced; 0 means none. */
     struct player_round *result;
 };
 
