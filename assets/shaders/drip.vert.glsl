@@ -10,7 +10,11 @@ out float shown;
 
 const int LOOSE = 5;
 const float STREAMS = 9.0;
-const float EVERY_S = 0.22;
+// Periods in seconds after which a loose drop and a drop of a stream begin again. The periods are
+// constant: if a period depended on the height of the poi, its drops would jump while the poi moves.
+// A drop of a stream reaches the water within its period from a height of at most 0.16 m.
+const float LOOSE_S = 0.22;
+const float STREAM_S = 0.18;
 const float GRAVITY = 9.81;
 const float RADIUS_M = 0.0019;
 
@@ -26,14 +30,16 @@ void main()
     float turn = (mod(id, STREAMS) - 4.0) * 0.25 * hub.w + 0.12 * sin(eye.w * 3.0 + id * 2.1);
     vec3 at = streams ? hub.xyz + low.xyz * cos(turn) + across.xyz * sin(turn) : lip.xyz;
     float falls = sqrt(2.0 * max(at.y, 0.0) / GRAVITY);
-    float life = streams ? max(falls, 0.02) : max(falls, EVERY_S);
-    float turns = eye.w / life + id * 0.37 + chance(id) * 0.2;
+    float period = streams ? STREAM_S : LOOSE_S;
+    // Any number of the eight drops of a stream is spread almost evenly over the period.
+    float turns = eye.w / period + chance(id) * (streams ? 0.05 : 0.2)
+        + (streams ? floor(id / STREAMS) * 0.375 + chance(mod(id, STREAMS)) : id * 0.37);
     float seed = id * 7.0 + mod(floor(turns), 64.0);
-    float age = fract(turns) * life - (life - falls); // Time after the start of the fall. The value
-                                                      // is negative while the drop hangs and grows.
+    // Time after the start of the fall. The value is negative while a loose drop hangs and grows.
+    float age = fract(turns) * period - (streams ? 0.0 : max(period - falls, 0.0));
     float drop = max(age, 0.0);
     corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
-    shown = clamp(streams ? low.w - id + float(LOOSE) : lip.w - id, 0.0, 1.0);
+    shown = clamp(streams ? low.w - id + float(LOOSE) : lip.w - id, 0.0, 1.0) * step(drop, falls);
     vec3 spread = vec3(chance(seed) - 0.5, 0.0, chance(seed + 0.5) - 0.5) * 0.014;
     at += streams ? vec3(0.0) : spread;
     at.y -= 0.5 * GRAVITY * drop * drop;

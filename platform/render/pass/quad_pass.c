@@ -10,9 +10,10 @@
  * surface. */
 #define BUBBLE_COUNT 72
 /* Maximum number of drops per poi. DROPS_LOOSE drops detach one at a time, and DROPS_STREAM drops
- * form streams of water. DROPS_LOOSE must equal LOOSE in drip.vert.glsl. */
+ * form streams of water. From a poi 4 cm above the water, half of the drops of the streams fall at
+ * any time, and the others wait. DROPS_LOOSE must equal LOOSE in drip.vert.glsl. */
 #define DROPS_LOOSE 5
-#define DROPS_STREAM 36
+#define DROPS_STREAM 72
 /* Minimum mean depth in metres of the water on the paper from which drops fall. A thinner layer of
  * water adheres to the paper. */
 #define DRIPS_FROM_M 0.0002f

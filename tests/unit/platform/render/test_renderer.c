@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 
 #include <cmocka.h>
 
@@ -220,6 +221,43 @@ static void test_water_on_a_poi_is_drawn_over_the_paper_only_above_the_surface(v
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
+/* Draws a tilted poi without paper at the height `y_m`, first dry and then wet. Writes the
+ * differences of the two pictures to `out`, so that `out` shows only the drops. */
+static void draw_drops(float y_m, uint8_t out[PIXELS_SIZE])
+{
+    static uint8_t dry[PIXELS_SIZE];
+    show_poi();
+    scene.tick = 300u * CORE_TICK_HZ;
+    scene.poi[0].position_m.y = y_m;
+    scene.poi[0].angles.pitch_rad = 0.3f;
+    scene.view.target_m = v3(0.0f, 0.5f * y_m, 0.0f);
+    scene.view.eye_m = v3(0.0f, 0.05f, 0.2f);
+    memset(scene.poi[0].integrity, 0, sizeof scene.poi[0].integrity);
+    picture(dry);
+    scene.poi[0].water_m = 0.0015f;
+    picture(out);
+    for (uint32_t i = 0; i < PIXELS_SIZE; i++) {
+        out[i] = (uint8_t)abs((int)out[i] - (int)dry[i]);
+    }
+}
+
+/* If the phase of the drops depended on the height of the poi, the drops would jump while the poi
+ * rises. */
+static void test_drops_keep_their_phase_while_a_poi_rises(void **state)
+{
+    (void)state;
+    uint32_t drops = 0, jumps = 0;
+    draw_drops(0.0400f, pixels[0]);
+    draw_drops(0.0402f, pixels[1]); /* A movement of less than a pixel. */
+    for (uint32_t i = 0; i < PIXELS_SIZE; i++) {
+        drops += pixels[0][i];
+        jumps += (uint32_t)abs((int)pixels[1][i] - (int)pixels[0][i]);
+    }
+    print_message("drops: %u, change after a rise of 0.2 mm: %u\n", drops, jumps);
+    assert_true(drops > 5000u);
+    assert_true(jumps < drops / 4u);
+}
+
 /* Returns the number of pixels in the white colour of the plastic ring. */
 static uint32_t white_pixels(const uint8_t rgb[PIXELS_SIZE])
 {
@@ -323,6 +361,7 @@ int main(void)
         WITH_DISPLAY(test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank),
         WITH_DISPLAY(test_stress_is_drawn_brighter_only_in_practice),
         WITH_DISPLAY(test_water_on_a_poi_is_drawn_over_the_paper_only_above_the_surface),
+        WITH_DISPLAY(test_drops_keep_their_phase_while_a_poi_rises),
         WITH_DISPLAY(test_players_are_distinguishable_without_colours),
         WITH_DISPLAY(test_a_gulp_opens_the_mouth_and_makes_a_ripple),
         WITH_DISPLAY(test_a_running_pump_shows_bubbles_and_its_stone_is_always_visible),
