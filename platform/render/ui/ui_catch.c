@@ -85,7 +85,7 @@ float ui_catch_pop(const struct ui_frame *frame, uint32_t player)
     return pop;
 }
 
-void ui_catch_flights(const struct ui_frame *frame, uint32_t player, float x, float y)
+void ui_catch_flights(const struct ui_frame *frame, uint32_t player, struct ui_point counter)
 {
     const uint32_t caught = frame->scene->caught[player];
     for (uint32_t k = 0; k < flight_count(caught); k++) {
@@ -98,8 +98,8 @@ void ui_catch_flights(const struct ui_frame *frame, uint32_t player, float x, fl
         const float along = f_smoothstep(0.0f, 1.0f, part);
         const float rise = 4.0f * FLIGHT_RISE * along * (1.0f - along) * frame->unit;
         const float width = f_lerp(FLIGHT_WIDTH, FLIGHT_WIDTH_END, along) * frame->unit;
-        const float at_x = f_lerp(from.x, x, along);
-        const float at_y = fmaxf(f_lerp(from.y, y, along) - rise, 0.5f * width);
+        const float at_x = f_lerp(from.x, counter.x, along);
+        const float at_y = fmaxf(f_lerp(from.y, counter.y, along) - rise, 0.5f * width);
         ui_glow(frame, ui_around(at_x, at_y, width), ui_fade(0xffd9a0ffu, 0.5f));
         ui_fish_sign(frame, at_x, at_y, width);
     }

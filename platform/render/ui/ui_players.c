@@ -64,7 +64,8 @@ void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius,
     }
 }
 
-static void plate(const struct ui_frame *frame, uint32_t player, struct ui_box box)
+/* Draws the plate of a player. Returns the place of the counter, to which caught fish fly. */
+static struct ui_point plate(const struct ui_frame *frame, uint32_t player, struct ui_box box)
 {
     CORE_ASSERT(player < POI_MAX);
     const float u = frame->unit;
@@ -107,7 +108,7 @@ static void plate(const struct ui_frame *frame, uint32_t player, struct ui_box b
         ui_foul_lamps(frame, box.x + 28.0f * u, box.y + box.height - 15.0f * u, 7.0f * u, 20.0f * u,
                       state->fouls);
     }
-    ui_catch_flights(frame, player, box.x + 76.0f * u, y);
+    return (struct ui_point){ .x = box.x + 76.0f * u, .y = y };
 }
 
 float ui_player_plates(const struct ui_frame *frame, float right_px)
@@ -125,11 +126,15 @@ float ui_player_plates(const struct ui_frame *frame, float right_px)
     struct ui_box box = { edge, (fits ? 16.0f : 110.0f) * frame->unit,
                           fminf(room, PLATE_WIDTH * larger.unit),
                           (rules_of(scene->mode)->counts_fouls ? 74.0f : 58.0f) * larger.unit };
+    struct ui_point counters[POI_MAX] = { 0 };
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->player[i].plays) {
-            plate(&larger, i, box);
+            counters[i] = plate(&larger, i, box);
             box.x += box.width + gap;
         }
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) { /* Fish fly in front of all plates. */
+        ui_catch_flights(&larger, i, counters[i]);
     }
     return box.y + box.height;
 }

@@ -150,21 +150,19 @@ static void caught_plate(const struct ui_frame *frame, uint32_t player)
     const float number_x = left + 108.0f * u, number_width = ui_text_width(digits, number);
     const float unit_x = number_x + number_width + 12.0f * u;
     const float right = unit_x + ui_text_width(unit, words) + 22.0f * u;
-    const float baseline = ui_text_middle(digits, y);
-    const bool has_levels = rules_of(frame->scene->mode)->has_levels;
-    const float level_width = has_levels ? 70.0f * u : 0.0f;
+    const float level_width = rules_of(frame->scene->mode)->has_levels ? 70.0f * u : 0.0f;
     ui_plate(frame, (struct ui_box){ left, top, right - left + level_width, height });
-    if (has_levels) {
+    if (level_width > 0.0f) {
         ui_level_tag(frame,
                      (struct ui_box){ right - 4.0f * u, top + 10.0f * u, 58.0f * u, 68.0f * u },
                      frame->scene->player[player].level);
     }
     ui_fish_sign(frame, left + 58.0f * u, y, (74.0f + 12.0f * pop) * u);
+    ui_text(frame->batch, unit, unit_x, ui_text_middle(digits, y), words);
     digits.size_px *= 1.0f + 0.22f * pop;
     digits.align = 0.5f;
     ui_text_at(frame, digits, number_x + 0.5f * number_width, y, number);
-    ui_text(frame->batch, unit, unit_x, baseline, words);
-    ui_catch_flights(frame, player, left + 58.0f * u, y);
+    ui_catch_flights(frame, player, (struct ui_point){ .x = left + 58.0f * u, .y = y });
 }
 
 static bool is_long(const struct scene *scene)
@@ -261,7 +259,6 @@ void ui_round(const struct ui_frame *frame)
         bottom = fmaxf(bottom, ui_player_plates(frame, state_plate(frame, 0, false)));
     } else {
         const uint32_t player = ui_first_player(scene);
-        caught_plate(frame, player);
         if (rules_of(scene->mode)->counts_fouls) {
             /* Draws a plate with the word "Fouls" and three lamps. One lamp is lit for each
              * foul. */
@@ -275,16 +272,16 @@ void ui_round(const struct ui_frame *frame)
             ui_foul_lamps(frame, lamps_x, y, 9.5f * u, 26.0f * u, scene->player[player].fouls);
         }
         state_plate(frame, player, true);
+        caught_plate(frame, player); /* The last plate, so that fish fly in front of all plates. */
     }
     ui_handle_marks(frame);
     ui_near_misses(frame);
     ui_bowl_marks(frame, 1.0f - f_smoothstep(BOWL_MARKS_S - 0.5f, BOWL_MARKS_S, scene->phase_s));
-    bool shows_stress = false;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        shows_stress = shows_stress || (scene->poi[i].present && scene->poi[i].shows_stress);
-    }
-    if (shows_stress) {
-        stress_legend(frame, bottom + 8.0f * frame->unit);
+        if (scene->poi[i].present && scene->poi[i].shows_stress) {
+            stress_legend(frame, bottom + 8.0f * frame->unit);
+            break;
+        }
     }
     if (scene->phase_s < 1.0f) {
         const float out = 1.0f - f_smoothstep(0.55f, 1.0f, scene->phase_s);

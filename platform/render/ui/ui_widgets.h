@@ -77,8 +77,8 @@ uint32_t ui_catch_shown(const struct ui_frame *frame, uint32_t player);
 /* Returns the strength of the emphasis on a player's number of caught fish, [0, 1]. The strength is
  * 1 immediately after a fish has arrived at the counter, and decreases to 0. */
 float ui_catch_pop(const struct ui_frame *frame, uint32_t player);
-/* Draws the fish of a player that fly from the bowl to the counter, which is at (x, y). */
-void ui_catch_flights(const struct ui_frame *frame, uint32_t player, float x, float y);
+/* Draws the fish of a player that fly from the bowl to the point `counter`. */
+void ui_catch_flights(const struct ui_frame *frame, uint32_t player, struct ui_point counter);
 /* Returns true while a word is shown over the poi of `player` because the poi narrowly missed a
  * fish. */
 bool ui_tells_near_miss(const struct scene *scene, uint32_t player);

@@ -557,6 +557,34 @@ static void test_the_tears_of_several_players_are_shown_in_turn(void **state)
     }
 }
 
+/* Lays out a round of `players` players in which player 0 catches a fish, and checks that no plate
+ * covers the fish. */
+static void check_flight(uint8_t mode, uint32_t players)
+{
+    bool flies = false;
+    memory = (struct ui_memory){ 0 };
+    for (uint32_t caught = 0; caught < 2u; caught++) {
+        set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
+        set_match(mode, players, 1);
+        scene.tick += 30u * caught;
+        memset(scene.caught, 0, sizeof scene.caught);
+        scene.caught[0] = caught;
+        lay_out(sizes[0]);
+    }
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        flies |= batch.kinds[i] == UI_FISH && batch.kinds[i - 1u] == UI_GLOW;
+        assert_false(flies && batch.kinds[i] == UI_WAVES);
+    }
+    assert_true(flies);
+}
+
+static void test_caught_fish_fly_in_front_of_all_plates(void **state)
+{
+    (void)state;
+    check_flight(MODE_FESTIVAL, 3);
+    check_flight(MODE_CHAMPIONSHIP, 1);
+}
+
 /* Lays out a round at `elapsed_ticks` after its first scene, with `caught` fish of player 0.
  * Returns the number of fish on the screen, and writes the number that the counter shows to
  * `shown`. */
@@ -663,6 +691,7 @@ int main(void)
         cmocka_unit_test(test_a_present_swims_into_a_bowl_on_the_result),
         cmocka_unit_test(test_the_tears_of_several_players_are_shown_in_turn),
         cmocka_unit_test(test_caught_fish_fly_to_the_counter_and_count_there),
+        cmocka_unit_test(test_caught_fish_fly_in_front_of_all_plates),
         cmocka_unit_test(test_each_handle_has_the_number_of_its_player),
         cmocka_unit_test(test_a_near_miss_is_named_beside_its_poi_for_a_moment),
         cmocka_unit_test(test_the_largest_screen_leaves_quads_for_longer_languages),
