@@ -101,6 +101,7 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 -include tests/bench/bench.mk
 -include tests/soak/soak.mk
 -include tests/render/render.mk
+-include tests/v3d/v3d.mk
 -include tests/thesis/thesis.mk
 -include tests/paper/paper.mk
 -include tests/fuzz/fuzz.mk
@@ -194,6 +195,6 @@ compile_commands.json: always
 clean:
 	rm -rf build build-clang $(BUILD)
 
--include $(shell [ -d $(BUILD) ] && find $(BUILD) \( -path $(BUILD)/vm -o -path $(BUILD)/image \) -prune -o -type f -name '*.d' -print)
+-include $(shell [ -d $(BUILD) ] && find $(BUILD) \( -path $(BUILD)/vm -o -path $(BUILD)/image -o -path $(BUILD)/v3d \) -prune -o -type f -name '*.d' -print)
 
 .PHONY: help build clang generated linkable-board clean always

@@ -325,12 +325,14 @@ void gl_program_bind(GLuint program, const char *samplers)
 GLuint gl_program(struct gl_status *status, const char *name, const char *defines,
                   const char *vertex, const char *fragment, const char *samplers)
 {
-    const char *const vertex_parts[] = { "#version 300 es\n", defines, shader_common, shader_morph,
-                                         vertex };
-    const char *const fragment_parts[] = { "#version 300 es\n", defines, shader_common, fragment };
+    /* The second line of each shader is a comment with the name of the program. */
+    const char *const vertex_parts[] = { "#version 300 es\n// ", name,         "\n",  defines,
+                                         shader_common,          shader_morph, vertex };
+    const char *const fragment_parts[] = { "#version 300 es\n// ", name,    "\n", defines,
+                                           shader_common,          fragment };
     const GLuint stages[2] = {
-        gl_compile(status, name, GL_VERTEX_SHADER, vertex_parts, 5),
-        gl_compile(status, name, GL_FRAGMENT_SHADER, fragment_parts, 4),
+        gl_compile(status, name, GL_VERTEX_SHADER, vertex_parts, 7),
+        gl_compile(status, name, GL_FRAGMENT_SHADER, fragment_parts, 6),
     };
     const GLuint program = gl_link(status, name, stages[0], stages[1]);
     glDeleteShader(stages[0]); /* OpenGL keeps the shader until the program is deleted. If the

@@ -13,11 +13,17 @@ $(BUILD)/tests/render/shot: $(SHOT_PARTS:%=$(BUILD)/tests/render/%.o) $(BUILD)/s
 # pushes it. --lab SPECIES --progress P shows the growth lab with --compare, --path or
 # --size-layer. --album N --progress P shows the album with N fish. --menu PAGE --step N shows a
 # page of the operator's menu. --coins N sets the price of a round. --rotation QUARTERS, --inset
-# and --shift THOUSANDTHS and --light PERCENT transform the picture on the screen.
+# and --shift THOUSANDTHS and --light PERCENT transform the picture on the screen. --steps writes
+# the name of each render step on standard error. --quality-step N lowers the quality by N steps.
 ## picture/shot: Play and keep a frame in out/shot.png; ARGS="--players 4"
 shot: $(BUILD)/tests/render/shot
 	@mkdir -p out
 	@$< $(ARGS)
+
+## picture/gallery: Draw twelve fixed scenes in out/gallery; BEFORE=DIR measures the difference
+gallery: $(BUILD)/tests/render/shot $(BUILD)/tests/v3d/gl_trace.so
+	@tests/render/gallery.sh $(BUILD) out/gallery
+	@[ -z "$(BEFORE)" ] || tests/render/gallery.py $(BEFORE) out/gallery out/gallery-crops
 
 $(BUILD)/tests/render/film: $(BUILD)/tests/render/film.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
@@ -116,4 +122,4 @@ manual-pictures: $(BUILD)/tests/render/shot
 	        assets/pictures/manual-$$name.jpg; \
 	    echo "assets/pictures/manual-$$name.jpg"; done
 
-.PHONY: stall-picture manual-pictures menu-picture lab-pictures growth-picture shot film specimen pictures fish-pictures game-pictures
+.PHONY: stall-picture manual-pictures menu-picture lab-pictures growth-picture shot gallery film specimen pictures fish-pictures game-pictures

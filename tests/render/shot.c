@@ -63,10 +63,17 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+static const char *const step_names[STEP_COUNT] = { "prepare", "light", "ground", "life",
+                                                    "surface", "above", "ui" };
+
+static void write_step(void *context, enum render_step step)
+{
+    (void)context;
+    fprintf(stderr, "STEP %s\n", step_names[step]);
+}
+
 static void time_passes(const struct hal_display *device)
 {
-    static const char *const names[STEP_COUNT] = { "prepare", "light", "ground", "life",
-                                                   "surface", "above", "ui" };
     struct meter meter = { 0 };
     double frames[PASS_FRAMES];
     for (uint32_t i = 0; i < PASS_FRAMES; i++) {
@@ -86,7 +93,7 @@ static void time_passes(const struct hal_display *device)
     }
     display.renderer.on_step = NULL;
     for (uint32_t i = 0; i < STEP_COUNT; i++) {
-        printf("%-8s %6.2f ms, %6.2f ms of CPU\n", names[i], meter.sums[i] / PASS_FRAMES,
+        printf("%-8s %6.2f ms, %6.2f ms of CPU\n", step_names[i], meter.sums[i] / PASS_FRAMES,
                meter.cpu_sums[i] / PASS_FRAMES);
     }
     printf("%-8s %6.2f ms median, %.2f best, %.2f worst of %u\n", "frame", frames[PASS_FRAMES / 2],
@@ -136,7 +143,12 @@ int main(int argc, char **argv)
         return 1;
     }
     place(&device, &options);
+    if (renderer_lower(&display.renderer, options.quality_step) != HAL_OK) {
+        fprintf(stderr, "%s\n", display.renderer.status.text);
+        return 1;
+    }
     printf("%s (opened in %.0f ms)\n", device.ops->describe(device.self), now_ms() - before);
+    display.renderer.on_step = options.steps ? write_step : NULL;
     for (uint32_t i = 0; i < (options.lab || options.album > 0 ? SKIN_FRAMES : 1u); i++) {
         device.ops->present(device.self, &scene);
     }

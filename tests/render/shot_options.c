@@ -67,6 +67,8 @@ static const struct plain_option {
     { "--shift", OPTION_FLOAT, offsetof(struct shot_options, shift), 0.001f },
     { "--en", OPTION_FLAG, offsetof(struct shot_options, english), 0.0f },
     { "--passes", OPTION_FLAG, offsetof(struct shot_options, passes), 0.0f },
+    { "--steps", OPTION_FLAG, offsetof(struct shot_options, steps), 0.0f },
+    { "--quality-step", OPTION_BYTE, offsetof(struct shot_options, quality_step), 0.0f },
     { "--paper", OPTION_FLAG, offsetof(struct shot_options, paper), 0.0f },
     { "--stress", OPTION_FLAG, offsetof(struct shot_options, stress), 0.0f },
     { "--careless", OPTION_FLAG, offsetof(struct shot_options, careless), 0.0f },

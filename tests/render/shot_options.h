@@ -17,6 +17,9 @@ struct shot_options {
     float close_x_m, close_z_m, close_m;
     uint32_t width, height, samples, fish, seed;
     uint8_t start, english, passes, paper, preset;
+    /* With `steps`, shot writes the name of each render step on standard error after the step.
+     * `quality_step` is the argument `step` of quality_lower(). */
+    uint8_t steps, quality_step;
     /* Details of --paper. If `stress` is 1, the paper is coloured by its stress, as in practice
      * mode. `owner` is the index of the player who owns the poi. */
     uint8_t stress, owner;

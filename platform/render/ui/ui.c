@@ -30,9 +30,10 @@ static void make_programs(struct gl_status *status, struct ui *ui)
     for (uint32_t i = 0; i < UI_KIND_COUNT && gl_is_well(status); i++) {
         char head[192];
         snprintf(head, sizeof head,
-                 "#version 300 es\n#define %s\n#define FONT_EDGE %u.0\n#define FONT_STEP %u.0\n"
-                 "#define FONT_SIZE vec2(%u.0, %u.0)\n",
-                 kinds[i], ASSET_FONT_EDGE, ASSET_FONT_STEP, ASSET_FONT_WIDTH, ASSET_FONT_ROWS);
+                 "#version 300 es\n// %s\n#define %s\n#define FONT_EDGE %u.0\n"
+                 "#define FONT_STEP %u.0\n#define FONT_SIZE vec2(%u.0, %u.0)\n",
+                 kinds[i], kinds[i], ASSET_FONT_EDGE, ASSET_FONT_STEP, ASSET_FONT_WIDTH,
+                 ASSET_FONT_ROWS);
         const char *const parts[] = { head, shader_ui_frag };
         const GLuint fragment = gl_compile(status, "words", GL_FRAGMENT_SHADER, parts, 2);
         ui->programs[i] = gl_link(status, "words", vertex, fragment);
