@@ -45,8 +45,8 @@ static bool time_for(uint32_t *last, uint32_t now, uint32_t every)
 
 /* Ticks between two creaks of the paper: CREAK_TICKS while the paper is in danger, and
  * CREAK_TICKS_MIN while the paper is about to tear. */
-#define CREAK_TICKS 96u
-#define CREAK_TICKS_MIN 48u
+#define CREAK_TICKS 48u
+#define CREAK_TICKS_MIN 24u
 _Static_assert(CREAK_TICKS % CREAK_TICKS_MIN == 0, "slow creaks are tested when fast creaks are");
 /* Danger, the result of sheet_warning(), above which the paper creaks (CREAK_FROM), and above which
  * it creaks faster (CREAK_FAST_FROM). */
