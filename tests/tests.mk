@@ -14,9 +14,9 @@ UNIT_SHELL := $(UNIT_SHELL_SRC:%.c=$(BUILD)/%)
 UNIT_CORE := $(UNIT_CORE_SRC:%.c=$(BUILD)/%)
 UNIT := $(UNIT_CORE) $(UNIT_SHELL)
 
-E2E_BIN := $(BUILD)/tests/e2e/hand $(BUILD)/tests/e2e/ask_to_close $(BUILD)/tests/e2e/manager
-# tests/vm/look prints the state of the kiosk from its recording.
-E2E := $(E2E_BIN) $(BUILD)/tests/vm/look
+E2E_BIN := $(BUILD)/tests/e2e/scoop_fish $(BUILD)/tests/e2e/ask_to_close $(BUILD)/tests/e2e/manager
+# tests/vm/state_writer prints the state of the kiosk from its recording.
+E2E := $(E2E_BIN) $(BUILD)/tests/vm/state_writer
 
 -include tests/replay/replay.mk tests/golden/golden.mk tests/gltf/gltf.mk tests/gpio/gpio.mk tests/usb/usb.mk tests/hid/hid.mk
 
@@ -104,7 +104,7 @@ $(BUILD)/tests/unit/platform/kiosk/recorder/test_pin_sweep: TRAP := -Wl,--wrap=c
 # Wraps the system calls that read a live device.
 $(BUILD)/tests/unit/platform/ctl/devices/test_hid_source: TRAP := -Wl,--wrap=open,--wrap=ioctl,--wrap=read
 
-$(BUILD)/tests/e2e/hand: $(BUILD)/tests/e2e/hand.o $(BUILD)/tests/e2e/eye.o $(BUILD)/core.a
+$(BUILD)/tests/e2e/scoop_fish: $(BUILD)/tests/e2e/scoop_fish.o $(BUILD)/tests/e2e/eye.o $(BUILD)/core.a
 $(BUILD)/tests/e2e/ask_to_close: $(BUILD)/tests/e2e/ask_to_close.o
 $(BUILD)/tests/e2e/manager: $(BUILD)/tests/e2e/manager.o
 $(E2E_BIN):

@@ -13,13 +13,13 @@ fresh() {
 
 # Expects exit 65 and exactly one line that matches PATTERN.
 refuses() { # PATTERN TEXT
-    local said status
-    said=$("$bake" font "$work/text" "$work/a.bin" "$work/a.c" "$work/a.h" 2>&1)
+    local output status
+    output=$("$bake" font "$work/text" "$work/a.bin" "$work/a.c" "$work/a.h" 2>&1)
     status=$?
-    [ $status -eq 65 ] && [ "$(wc -l <<<"$said")" -eq 1 ] && grep -qE -- "$1" <<<"$said"
+    [ $status -eq 65 ] && [ "$(wc -l <<<"$output")" -eq 1 ] && grep -qE -- "$1" <<<"$output"
     status=$?
     ok $status "$2"
-    [ $status -eq 0 ] || sed 's/^/# /' <<<"$said"
+    [ $status -eq 0 ] || sed 's/^/# /' <<<"$output"
 }
 
 fresh
@@ -66,8 +66,8 @@ for asset in caustics patterns environment wood paper; do
     ok $? "$asset is identical byte for byte in a second bake"
 done
 
-"$bake" caustics /nowhere/at/all 2>"$work/said" >/dev/null
-[ $? -eq 65 ] && grep -q 'cannot write /nowhere/at/all' "$work/said"
+"$bake" caustics /nowhere/at/all 2>"$work/log" >/dev/null
+[ $? -eq 65 ] && grep -q 'cannot write /nowhere/at/all' "$work/log"
 ok $? 'an output that cannot be written is reported'
 
 "$bake" nonsense "$work/x" >/dev/null 2>&1
@@ -77,8 +77,8 @@ ok $? 'an unknown asset is wrong usage'
 # ---- The list of refused player names
 refuses_words() { # LINE PATTERN TEXT
     printf '# a list\nfuck\n%s\n' "$1" >"$work/refused.txt"
-    "$bake" words "$work/refused.txt" "$work/words.c" >/dev/null 2>"$work/said"
-    [ $? -eq 65 ] && [ "$(wc -l <"$work/said")" -eq 1 ] && grep -qE -- "$2" "$work/said"
+    "$bake" words "$work/refused.txt" "$work/words.c" >/dev/null 2>"$work/log"
+    [ $? -eq 65 ] && [ "$(wc -l <"$work/log")" -eq 1 ] && grep -qE -- "$2" "$work/log"
     ok $? "$3"
 }
 refuses_words '...' 'refused.txt:3: a word has 1 to 16 letters' 'a refused name without a letter is reported'

@@ -19,15 +19,15 @@ fresh() { # Creates an empty folder, and a file elsewhere that must stay unchang
     rm -rf "$data" && mkdir "$data" && echo precious >"$precious"
 }
 probe() { # Fails after 10 s, which is long enough for a loaded machine.
-    PATH=$bin:$PATH timeout 10 sh board/kiosk/check-data "$data" >"$work/told" 2>"$work/err"
+    PATH=$bin:$PATH timeout 10 sh board/kiosk/check-data "$data" >"$work/output" 2>"$work/err"
     local code=$?
-    cat "$work/told" "$work/err"
+    cat "$work/output" "$work/err"
     [ "$(cat "$precious")" = precious ] && [ ! -e "$work/owned" ] || { echo 'a file outside the folder changed'; return 99; }
-    [ "$(wc -l <"$work/told")" -eq 1 ] || { echo 'not one line'; return 98; }
+    [ "$(wc -l <"$work/output")" -eq 1 ] || { echo 'not one line'; return 98; }
     return $code
 }
 keeps() { # COUNT: The check succeeds, and the mark is a regular file with the count COUNT.
-    probe && grep -q "^kept: /dev/sda3, ext4; start $1 of this disk" "$work/told" && [ ! -L "$data/.persists" ] &&
+    probe && grep -q "^kept: /dev/sda3, ext4; start $1 of this disk" "$work/output" && [ ! -L "$data/.persists" ] &&
         [ "$(cat "$data/.persists")" = "$1 $(cat /proc/sys/kernel/random/boot_id)" ] && [ ! -e "$data/.persists.new" ]
 }
 after() { # MARK COUNT
@@ -39,13 +39,13 @@ keeps_with() { # COMMAND...: The command prepares a hostile folder, which must n
 fails_with() { # PATTERN COMMAND...
     fresh && "${@:2}" || return 1
     probe
-    [ $? -eq 1 ] && grep -q "^not kept: .*$1" "$work/told" && [ "$(cat "$precious")" = precious ]
+    [ $? -eq 1 ] && grep -q "^not kept: .*$1" "$work/output" && [ "$(cat "$precious")" = precious ]
 }
 
 # ---- The mark
 check 'a folder without a mark counts as the first start' keeps_with true
 check 'the next start is counted' after '7 b3c1\n' 8
-check 'the previous start is named' grep -q 'the one before was b3c1' "$work/told"
+check 'the previous start is named' grep -q 'the one before was b3c1' "$work/output"
 check 'an empty mark restarts the count' after '' 1
 check 'a truncated mark is counted' after '7' 8
 for mark in '08 b3c1' '09' '0' '-1 x' '+7' '0x10' '12345678901234567890 b3c1' '9999999999' '1;id' '1+1' 'a[$(touch owned)] 1' \
@@ -74,19 +74,19 @@ check 'a disk whose reads and writes fail is a failure' fails_with 'cannot be' t
 # ---- The remount
 protects() { # RESULT: Runs as root in mounts of its own. Every file of the folder is hostile.
     fresh && ln -s "$precious" "$data/.persists" && mkfifo "$data/.persists.new" "$data/kingyo.db" || return 1
-    rm -f "$work/told"
-    SERVICE_RESULT=$1 unshare -m sh -c "timeout 10 sh board/kiosk/protect-data '$data' '$work/told' || exit 2
+    rm -f "$work/output"
+    SERVICE_RESULT=$1 unshare -m sh -c "timeout 10 sh board/kiosk/protect-data '$data' '$work/output' || exit 2
         touch '$data/new' || exit 1"
 }
 shuts() { # RESULT
     protects "$1"
-    [ $? -eq 1 ] && [ "$(cat "$precious")" = precious ] && grep -q "^not kept: .*$1" "$work/told"
+    [ $? -eq 1 ] && [ "$(cat "$precious")" = precious ] && grep -q "^not kept: .*$1" "$work/output"
 }
-opens() { protects success && [ -e "$data/new" ] && [ ! -e "$work/told" ]; }
+opens() { protects success && [ -e "$data/new" ] && [ ! -e "$work/output" ]; }
 keeps_words() {
-    fresh && echo 'not kept: /dev/sda3 is gone' >"$work/told" || return 1
-    SERVICE_RESULT=exit-code unshare -m sh board/kiosk/protect-data "$data" "$work/told"
-    [ "$(cat "$work/told")" = 'not kept: /dev/sda3 is gone' ]
+    fresh && echo 'not kept: /dev/sda3 is gone' >"$work/output" || return 1
+    SERVICE_RESULT=exit-code unshare -m sh board/kiosk/protect-data "$data" "$work/output"
+    [ "$(cat "$work/output")" = 'not kept: /dev/sda3 is gone' ]
 }
 if [ "$(id -u)" -eq 0 ] && unshare -m true 2>/dev/null; then
     for result in exit-code timeout signal core-dump resources ''; do
@@ -98,7 +98,7 @@ if [ "$(id -u)" -eq 0 ] && unshare -m true 2>/dev/null; then
         stand_in mount 'case $* in *remount*) exit 32 ;; esac' "exec $(command -v mount) \"\$@\""
         rm -f "$bin/findmnt" "$bin/mountpoint"
         fresh && echo x >"$data/file"
-        PATH=$bin:$PATH SERVICE_RESULT=timeout unshare -m sh -c "sh board/kiosk/protect-data '$data' '$work/told' &&
+        PATH=$bin:$PATH SERVICE_RESULT=timeout unshare -m sh -c "sh board/kiosk/protect-data '$data' '$work/output' &&
             [ ! -e '$data/file' ] && ! touch '$data/new'"
     }
     check 'a failed remount still prevents writing' cannot

@@ -23,24 +23,24 @@ boundaries() { # Checks the includes of FILE only.
 # Adds LINE to the end of FILE. `make boundaries` must then fail with a message that names FILE (or
 # its object) and RULE.
 refuses() { # FILE LINE RULE TEXT
-    local file=$copy/$1 said status
+    local file=$copy/$1 output status
     mkdir -p "$(dirname "$file")"
     local had=0
     [ -f "$file" ] && had=1 && cp -p "$file" "$copy/kept"
     printf '%s\n' "$2" >>"$file"
-    said=$(boundaries "$1")
+    output=$(boundaries "$1")
     status=$?
-    [ $status -ne 0 ] && grep -q "${1%.*}" <<<"$said" && grep -q -- "$3" <<<"$said"
+    [ $status -ne 0 ] && grep -q "${1%.*}" <<<"$output" && grep -q -- "$3" <<<"$output"
     status=$?
     ok $status "$4"
-    [ $status -eq 0 ] || sed 's/^/# /' <<<"$said" | tail -15
+    [ $status -eq 0 ] || sed 's/^/# /' <<<"$output" | tail -15
     if [ $had -eq 1 ]; then mv "$copy/kept" "$file"; else rm "$file"; fi
 }
 
-said=$(boundaries)
+output=$(boundaries)
 status=$?
 ok $status 'the unchanged tree keeps every rule'
-[ $status -eq 0 ] || sed 's/^/# /' <<<"$said"
+[ $status -eq 0 ] || sed 's/^/# /' <<<"$output"
 
 any_of() { find "$1" -name "$2" ! -name main.c | sort | head -1; }
 driver=$(any_of drivers '*.c')

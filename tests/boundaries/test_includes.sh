@@ -13,15 +13,15 @@ freestanding=$($CC -print-file-name=include)
 
 ok() { # STATUS TEXT
     count=$((count + 1))
-    [ "$1" -eq 0 ] && echo "ok $count - $2" || { echo "not ok $count - $2"; sed 's/^/# /' "$work/said"; }
+    [ "$1" -eq 0 ] && echo "ok $count - $2" || { echo "not ok $count - $2"; sed 's/^/# /' "$work/log"; }
 }
 kind= # Kind of the made-up include: empty for what the compiler lists, otherwise `direct` or `state`.
 check() { # FILE INCLUDED: Returns the exit status of includes.sh for this one include.
     echo "$1 $2 $kind" >"$PAIRS"
-    "$here/includes.sh" >"$work/said" 2>&1
+    "$here/includes.sh" >"$work/log" 2>&1
 }
 refuses() { # RULE FILE INCLUDED TEXT
-    ! check "$2" "$3" && grep -qE "^$2: (includes|names) $3 -- $1: " "$work/said"
+    ! check "$2" "$3" && grep -qE "^$2: (includes|names) $3 -- $1: " "$work/log"
     ok $? "$4"
 }
 allows() { # FILE INCLUDED TEXT
@@ -122,7 +122,7 @@ allows platform/panics.c platform/replay/replay_format.h 'a file in platform/ ma
 allows platform/ctl/doctor/doctor.c platform/store/storage.h 'kingyoctl may include the store'
 allows platform/render/pass/bloom.c platform/render/renderer.h 'a subfolder may include its folder'
 TABLE=/dev/null check core/view.c core/view.h
-grep -q 'no table of folders' "$work/said"
+grep -q 'no table of folders' "$work/log"
 ok $? 'a page without the table is rejected'
 
 # ---- Headers that the core offers: direct includes ----
@@ -156,9 +156,9 @@ printf 'limit 1\ncontract core/persistent_state.h core/poi/paper/sheet.h\n' >"$E
 allows drivers/sim/storage_sim.c core/poi/paper/sheet.h "a user of a contract may include the contract's exceptions"
 refuses bot core/game/bot/snapshot.c core/poi/paper/sheet.h 'a bot may not include the sheet, which a contract includes'
 printf 'limit 1\ngame core/game/a.c core/core.h\ngame core/game/b.c core/core.h\n' >"$EXCEPTIONS"
-! check core/game/a.c core/core.h && grep -q 'may only shrink' "$work/said"
+! check core/game/a.c core/core.h && grep -q 'may only shrink' "$work/log"
 ok $? 'more exceptions than the limit are rejected'
 printf 'limit 2\ngame core/game/a.c core/core.h\n' >"$EXCEPTIONS"
-! check core/game/a.c core/core.h && grep -q 'lower the limit' "$work/said"
+! check core/game/a.c core/core.h && grep -q 'lower the limit' "$work/log"
 ok $? 'fewer exceptions than the limit are rejected'
 echo "1..$count"

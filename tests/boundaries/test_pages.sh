@@ -12,14 +12,14 @@ echo 'int here(void);' >code.h
 
 ok() { # STATUS TEXT
     count=$((count + 1))
-    [ "$1" -eq 0 ] && echo "ok $count - $2" || { echo "not ok $count - $2"; sed 's/^/# /' said; }
+    [ "$1" -eq 0 ] && echo "ok $count - $2" || { echo "not ok $count - $2"; sed 's/^/# /' output; }
 }
 check() { # TEXT: Returns the exit status of pages.sh for a page with this text.
     printf '%b\n' "$1" >page.md
-    "$here/pages.sh" page.md >said 2>&1
+    "$here/pages.sh" page.md >output 2>&1
 }
 refuses() { # MESSAGE TEXT NAME
-    ! check "$2" && grep -qF "$1" said
+    ! check "$2" && grep -qF "$1" output
     ok $? "$3"
 }
 allows() { # TEXT NAME

@@ -214,8 +214,8 @@ price = 30'
 check 'the default configuration path is checked when --config is missing' finds wrong config etc/kingyo/kingyo.conf 'kingyo.conf:2: price: wrong value .30.; expected 1 to 20' 'correct the line'
 rm -r "$root/etc/kingyo"
 check 'a machine without a finding of level wrong exits with 0' exits 0
-text_says() { doctor; tail -1 "$work/out" | grep -qE '^[0-9]+ fine, [0-9]+ to look at, 0 wrong$' && grep -qE '^look +gpio' "$work/out" && grep -qE '^ +-> sudo cp' "$work/out"; }
-check 'the text has one line for each finding and a total' text_says
+text_has_total() { doctor; tail -1 "$work/out" | grep -qE '^[0-9]+ fine, [0-9]+ to look at, 0 wrong$' && grep -qE '^look +gpio' "$work/out" && grep -qE '^ +-> sudo cp' "$work/out"; }
+check 'the text has one line for each finding and a total' text_has_total
 touched() { [ "$(find "$root" -newer "$work/kingyo.conf" -type f -not -path '*/data/*' | wc -l)" -eq 0 ]; }
 check 'doctor changes no file' touched
 

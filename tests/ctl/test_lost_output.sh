@@ -74,7 +74,7 @@ helps=$(for name in "${names[@]}" "${parts[@]}"; do echo "$name --help"; done)
 silent=0
 # FULL|CLOSED PROGRAM WORDS...: The program exits with 74 and reports the reason in one line on
 # standard error.
-is_told() {
+reports_output_error() {
     local how=$1 code words
     shift
     words=("${@//DIR/$work/$how}")
@@ -94,11 +94,11 @@ is_told() {
     # Standard error may also contain the usual message of the command.
     [ $code -eq 74 ] && [ "$(grep -c 'standard output: ' "$work/err")" -le 1 ] && [ "$(wc -l <"$work/err")" -le 2 ]
 }
-all_told() { # FULL|CLOSED LIST: Runs each command of LIST and prints the commands that fail.
+all_report_output_error() { # FULL|CLOSED LIST: Runs each command of LIST and prints the commands that fail.
     local words bad=0
     while IFS= read -r words; do
         # shellcheck disable=SC2086
-        is_told "$1" "$ctl" $words || { echo "kingyoctl $words"; bad=1; }
+        reports_output_error "$1" "$ctl" $words || { echo "kingyoctl $words"; bad=1; }
     done <<<"$2"
     return $bad
 }
@@ -119,16 +119,16 @@ few_silent() { echo "$silent"; [ "$silent" -le 10 ]; }
 is_reason() { # WORDS FULL|CLOSED PROGRAM...: The one line on standard error gives the reason WORDS.
     local wanted=$1
     shift
-    is_told "$@" && [ "$(wc -l <"$work/err")" -eq 1 ] && grep -q "standard output: $wanted" "$work/err"
+    reports_output_error "$@" && [ "$(wc -l <"$work/err")" -eq 1 ] && grep -q "standard output: $wanted" "$work/err"
 }
 
 echo 1..16
 check 'the table of this test contains every command and subcommand' covers
-check 'every command reports a full standard output' all_told full "$commands"
-check 'every command reports a closed standard output' all_told closed "$commands"
+check 'every command reports a full standard output' all_report_output_error full "$commands"
+check 'every command reports a closed standard output' all_report_output_error closed "$commands"
 check 'a closed standard output changes no file that a command writes' same_files
-check 'every --help reports a full standard output' all_told full "$helps"
-check 'every --help reports a closed standard output' all_told closed "$helps"
+check 'every --help reports a full standard output' all_report_output_error full "$helps"
+check 'every --help reports a closed standard output' all_report_output_error closed "$helps"
 check 'at most ten commands of the table print nothing' few_silent
 check 'a full disk is reported with its cause' is_reason 'No space left' full "$ctl" audits --data "$data"
 check 'a full disk is reported with its cause after more than one buffer' is_reason 'No space left' full "$ctl" tank --help

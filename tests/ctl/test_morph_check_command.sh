@@ -43,14 +43,14 @@ text_tells() {
 check 'the text has a table with column names and figures' text_tells
 
 # ---- A damaged drawing: the pectoral fins of the third key point backward through the flanks
-spoiled() {
+reports_damage() {
     awk '/^key / { k++ } /^fin / { f = $2 } /^ray / && k == 3 && f == "pectoral" { $4 = 150; $5 = 0 } { print }' \
         "$root/assets/species/wakin.txt" >"$work/sunk.txt"
     morph check "$work/sunk.txt" --steps 200 >"$work/text"
     [ $? = 1 ] || { cat "$work/text"; return 1; }
     grep -q '^not so (near): fin deeper than its root.* at progress .* (pectoral)' "$work/text"
 }
-check 'a damaged drawing fails, and the error names the flaw and its position' spoiled
+check 'a damaged drawing fails, and the error names the flaw and its position' reports_damage
 
 refused() { # WORDS...: Wrong usage: exit code 2, one line on standard error, nothing on standard output.
     morph check "$@" >"$work/out" 2>"$work/err"

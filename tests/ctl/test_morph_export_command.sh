@@ -87,11 +87,11 @@ names_targets() { # The first target is named after the first key of the whole f
     [ "$(of_json "json_extract(j, '\$.meshes[0].extras.targetNames[0]') = json_extract(j, '\$.nodes[0].extras.keys[0].name')")" = 1 ]
 }
 check 'the morph targets are named after the keys' names_targets
-says_curves() {
+names_curves() {
     glb_is_whole hirame --template smooth &&
         [ "$(of_json "json_extract(j, '\$.nodes[0].extras.template') = 'smooth'")" = 1 ]
 }
-check 'the .glb file names the template of its curves' says_curves
+check 'the .glb file names the template of its curves' names_curves
 # The output of the scale channel ends at the adult's length.
 scale_is_animated() {
     glb_is_whole wakin || return 1
@@ -179,7 +179,7 @@ check '--frames beyond the file size limit exits with 74' frames_full
 nothing_left() { ls "$work/none"; [ ! -e "$f" ] && [ -z "$(ls "$work/none")" ] && [ -c /dev/full ]; }
 check 'failed exports leave no file behind' nothing_left
 check '--dir with a file exits with 74' refused 74 'Not a directory|File exists' wakin --frames 2 --dir "$work/bad.txt"
-help_says() { "$ctl" morph export --help | tee "$work/help"; for o in --sheet --frames --obj --glb --view; do grep -q -- "$o" "$work/help" || return 1; done; }
-check '--help lists the options' help_says
+help_lists_options() { "$ctl" morph export --help | tee "$work/help"; for o in --sheet --frames --obj --glb --view; do grep -q -- "$o" "$work/help" || return 1; done; }
+check '--help lists the options' help_lists_options
 
 echo "1..$count"

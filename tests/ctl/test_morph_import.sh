@@ -159,9 +159,9 @@ opens() {
     status=$?
     [ $status -le 1 ]
 }
-opens >"$work/told" 2>&1
-check 'the kiosk opens with invalid species' grep -q '^Kingyo .* played by the bot' "$work/told"
-check 'the kiosk reports each loaded species' grep -q 'species  *small.kfish: small' "$work/told"
-check 'the kiosk reports a rejected species with the reason' grep -q 'species/cut.kfish: size: ' "$work/told"
-check 'the kiosk rejects a second species of the same id' grep -q "species/twin.kfish: id: the species 'wakin' exists already" "$work/told"
+opens >"$work/output" 2>&1
+check 'the kiosk opens with invalid species' grep -q '^Kingyo .* played by the bot' "$work/output"
+check 'the kiosk reports each loaded species' grep -q 'species  *small.kfish: small' "$work/output"
+check 'the kiosk reports a rejected species with the reason' grep -q 'species/cut.kfish: size: ' "$work/output"
+check 'the kiosk rejects a second species of the same id' grep -q "species/twin.kfish: id: the species 'wakin' exists already" "$work/output"
 echo "1..$count"

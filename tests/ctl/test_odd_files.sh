@@ -62,7 +62,7 @@ all_refuse() { # KIND: Every reader refuses the odd file of this KIND.
     done <<<"$readers"
     return $bad
 }
-says() { # WORDS KIND PROGRAM...: The error line contains WORDS. FILE in the arguments stands for the odd file of KIND.
+error_contains() { # WORDS KIND PROGRAM...: The error line contains WORDS. FILE in the arguments stands for the odd file of KIND.
     local wanted=$1 kind=$2
     shift 2
     refused "${@//FILE/$work/odd/$kind}"
@@ -113,9 +113,9 @@ check 'a huge sparse file is refused by every command' all_refuse sparse
 lines=2 # The warning of the configuration may come before the read error.
 check 'an endless file of /proc is refused by every command' all_refuse endless
 lines=1
-check 'the error names the wrong file type' says 'is not a regular file' pipe "$ctl" config check FILE
-check 'the error names the size limit' says 'is larger than 64 MiB' sparse "$ctl" tank --place FILE --fish 1
-check 'the error names a pipe without a writer' says 'no process writes into this pipe' pipe "$ctl" hid watch FILE --descriptor $pad
+check 'the error names the wrong file type' error_contains 'is not a regular file' pipe "$ctl" config check FILE
+check 'the error names the size limit' error_contains 'is larger than 64 MiB' sparse "$ctl" tank --place FILE --fish 1
+check 'the error names a pipe without a writer' error_contains 'no process writes into this pipe' pipe "$ctl" hid watch FILE --descriptor $pad
 check 'a database of another file type is refused by every command' database
 check 'a FIFO among the controller mappings does not block doctor' learned
 check 'a symbolic link is followed' links

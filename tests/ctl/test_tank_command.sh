@@ -3,7 +3,7 @@
 # (check_trace) checks, the same result for the same seed, one line for each mistake. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
-judge=$build/tests/ctl/check_trace
+check_trace=$build/tests/ctl/check_trace
 json() { # FILE PATH: Prints one value of FILE, which SQLite parses.
     sqlite3 :memory: "select json_extract(readfile('$1'), '\$.$2')"
 }
@@ -40,25 +40,25 @@ check 'the times are measured' holds "$work/a.json" \
      and json_extract(j,'\$.tick_ms_p99')>=json_extract(j,'\$.tick_ms_median')"
 
 # ---- Trace
-judged() { # TRACE SIZE... PATTERN: The verdict of check_trace on TRACE matches PATTERN.
-    local said
-    said=$("$judge" "$1" "$2" "$3" "$4") || return 1
-    echo "$said"
-    grep -qE "$5" <<<"$said"
+check_trace_prints() { # TRACE SIZE... PATTERN: The output of check_trace on TRACE matches PATTERN.
+    local printed
+    printed=$("$check_trace" "$1" "$2" "$3" "$4") || return 1
+    echo "$printed"
+    grep -qE "$5" <<<"$printed"
 }
 # TRACE SIZE...: No overlap is deeper than 0.5 mm, and no body is more than 0.1 mm outside a wall.
 no_deep() {
-    "$judge" "$1" "$2" "$3" "$4" | awk '{ print; exit !($10 == 0 && $12 <= 0.5 && $14 <= 0.1) }'
+    "$check_trace" "$1" "$2" "$3" "$4" | awk '{ print; exit !($10 == 0 && $12 <= 0.5 && $14 <= 0.1) }'
 }
 "$ctl" tank --preset official --seconds 3 --json --trace "$work/official.csv" --trace-every 60 >/dev/null
-check 'the trace has one row for each fish every 12 ticks' judged "$work/trace.csv" 136 20 65 \
+check 'the trace has one row for each fish every 12 ticks' check_trace_prints "$work/trace.csv" 136 20 65 \
     '^rows 15300 ticks 51 fish 300 last 600 '
 check 'the independent check of the festival trace finds no overlap' no_deep "$work/trace.csv" 136 20 65
 check 'the independent check of the championship trace finds no overlap' no_deep "$work/official.csv" 136 10 65
 # The independent check must detect an overlap in a trace in which one fish was moved into another.
 awk -F, -v OFS=, '$1 == 0 && $2 == 0 { x = $3; y = $4; z = $5 } $1 == 0 && $2 == 1 { $3 = x + 0.3; $4 = y; $5 = z } 1' \
     "$work/trace.csv" >"$work/moved.csv"
-check 'the independent check detects two fish in one place' judged "$work/moved.csv" 136 20 65 'overlaps [1-9]'
+check 'the independent check detects two fish in one place' check_trace_prints "$work/moved.csv" 136 20 65 'overlaps [1-9]'
 
 # ---- Counts
 "$ctl" tank --fish 200 --seconds 10 --shade 0,0,10,0,10 --json --trace "$work/shade.csv" --trace-every 120 >"$work/shade.json"

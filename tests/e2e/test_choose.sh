@@ -1,7 +1,7 @@
 #!/bin/bash
 # test_choose.sh -- a visitor starts the real kiosk, chooses a level with a real pointer and dips.
 # From START to the first dip in the round the visitor makes one choice and needs at most 8 s.
-# tests/vm/look runs the core on the recording and prints the times in ticks of the game.
+# tests/vm/state_writer runs the core on the recording and prints the times in ticks of the game.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/lib.sh"
 recording=$work/choose.kgr mind=$work/mind
@@ -10,7 +10,7 @@ easy='178 340' water='640 330' # Middle of the tag with the child, and of the wa
 attract=0 ready=1 select=5 level_easy=2 # Values of enum scene_phase and of enum level.
 : >"$mind"
 
-knows() { # NAME: Prints the latest value of NAME from tests/vm/look, or 0 before the first value.
+knows() { # NAME: Prints the latest value of NAME from tests/vm/state_writer, or 0 before the first value.
     awk -v name="$1" '$1 == name { value = $2 } END { print value + 0 }' "$mind"
 }
 becomes() { # NAME VALUE: Waits up to 60 s until NAME has VALUE.
@@ -25,7 +25,7 @@ becomes() { # NAME VALUE: Waits up to 60 s until NAME has VALUE.
 open_screen
 start_kiosk --seed 5 --fish 40 --record "$recording"
 ok $? 'the kiosk opens' "$work/err" || { done_testing; exit 1; }
-"$BUILD/tests/vm/look" "$recording" "$mind" 2>"$work/look.log" &
+"$BUILD/tests/vm/state_writer" "$recording" "$mind" 2>"$work/state_writer.log" &
 look_pid=$!
 disown "$look_pid"
 trap 'kill "$look_pid" 2>/dev/null; leave' EXIT

@@ -1,7 +1,7 @@
 #!/bin/bash
 # test_menu.sh -- an operator opens the menu, inserts coins and ends a round on the real kiosk.
 # Keys stand for the coin slot and the two buttons inside the cabinet. After each press the test
-# waits until the recording contains it. tests/vm/look runs the core on the recording and prints
+# waits until the recording contains it. tests/vm/state_writer runs the core on the recording and prints
 # the resulting state, so the test does not depend on the speed of the machine. Pictures of the
 # screen must show the same state.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
@@ -10,7 +10,7 @@ recording=$work/menu.kgr mind=$work/mind
 : >"$mind"
 attract=0 round=2 menu=8         # Values of enum scene_phase.
 
-knows() { # NAME: Prints the latest value of NAME from tests/vm/look, or 0 before the first value.
+knows() { # NAME: Prints the latest value of NAME from tests/vm/state_writer, or 0 before the first value.
     awk -v name="$1" '$1 == name { value = $2 } END { print value + 0 }' "$mind"
 }
 becomes() { # NAME VALUE [SECONDS]: Waits until NAME has VALUE.
@@ -71,7 +71,7 @@ echo nonsense >"$work/data/species/bad.kfish"
 open_screen
 start_kiosk --seed 5 --fish 12 --mode festival --coins 2 --record "$recording"
 ok $? 'the kiosk opens' "$work/err" || { done_testing; exit 1; }
-"$BUILD/tests/vm/look" "$recording" "$mind" 2>"$work/look.log" &
+"$BUILD/tests/vm/state_writer" "$recording" "$mind" 2>"$work/state_writer.log" &
 look_pid=$!
 disown "$look_pid"
 trap 'kill "$look_pid" 2>/dev/null; leave' EXIT
@@ -179,8 +179,8 @@ end_of_kiosk 30
 ok "$code" 'the second Escape ends the kiosk with code 0' "$work/err"
 grep -q 'species/bad.kfish: magic' "$work/err" && one_line "$work/err"
 ok $? 'standard error has only the message on the rejected species' "$work/err"
-[ "$(knows differs_at)" -eq 0 ] && [ ! -s "$work/look.log" ]
-ok $? "every tick of the kiosk equals the tick that tests/vm/look computed" "$mind"
+[ "$(knows differs_at)" -eq 0 ] && [ ! -s "$work/state_writer.log" ]
+ok $? "every tick of the kiosk equals the tick that tests/vm/state_writer computed" "$mind"
 "$BUILD/kingyoctl" replay verify "$recording" >"$work/verify" 2>&1
 ok $? 'the recording with menu and coins verifies' "$work/verify"
 done_testing

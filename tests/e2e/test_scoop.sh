@@ -14,12 +14,12 @@ ok $? 'the kiosk opens its window and shows a picture' "$work/err" || { done_tes
 xdotool key space
 sleep 4 # The player has three seconds to take the poi.
 
-# The pointer plays like a person (hand.c): it finds a calm fish, dips beside the fish, slides
+# The pointer plays like a person (scoop_fish.c): it finds a calm fish, dips beside the fish, slides
 # under it, lifts it and carries it to the bowl.
 landed=0
 for ((i = 0; i < tries_max && landed == 0 && SECONDS < patience_s; i++)); do
     xdotool key space # Space replaces a torn poi, and has no effect during a round.
-    timeout 30 "$BUILD/tests/e2e/hand" "$window"
+    timeout 30 "$BUILD/tests/e2e/scoop_fish" "$window"
     landed=$(caught "$recording")
     landed=${landed:-0}
 done

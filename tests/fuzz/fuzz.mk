@@ -29,7 +29,7 @@ fuzz-morph:
 	        -max_len=65536 $$([ $$t = text ] && echo -dict=tests/fuzz/text.dict) -print_final_stats=1 -artifact_prefix=$(FUZZ)/findings/$$t- \
 	        $(FUZZ)/corpus/$$t $$([ $$t = text ] && echo assets/species || echo tests/fuzz/corpus/$$t) \
 	        >$(FUZZ)/$$t.log 2>&1; code=$$?; \
-	    own=; if tests/fuzz/fell_in.sh libassimp $(FUZZ)/$$t.log; then own=1; code=0; fi; \
+	    own=; if tests/fuzz/crash_is_in.sh libassimp $(FUZZ)/$$t.log; then own=1; code=0; fi; \
 	    printf '  %-6s %9s executions, %5s edges, %s\n' $$t \
 	        "$$(sed -n 's/^stat::number_of_executed_units: *//p' $(FUZZ)/$$t.log | tail -1)" \
 	        "$$(sed -nE 's/.* cov: ([0-9]+).*/\1/p' $(FUZZ)/$$t.log | tail -1)" \

@@ -1,5 +1,5 @@
 #!/bin/bash
-# test_gltf.sh -- judge.mjs checks every species and each of its curves as .glb, and nine moments
+# test_gltf.sh -- check_glb.mjs checks every species and each of its curves as .glb, and nine moments
 # of each as .obj. Speaks TAP; skipped with a reason if node, npm or Chromium is missing.
 set -u
 build=${BUILD:-build}
@@ -39,24 +39,24 @@ for species in $("$build/kingyoctl" morph list | awk '{ print $1 }'); do
     done
     export_one "$species-thesis" "$species" --thesis
 done
-node "$here/judge.mjs" "$out/files" "$out" "$chromium" >"$out/judged"
-sed '/^1\.\./d' "$out/judged"
-count=$(grep -cE '^(not )?ok' "$out/judged")
+node "$here/check_glb.mjs" "$out/files" "$out" "$chromium" >"$out/results"
+sed '/^1\.\./d' "$out/results"
+count=$(grep -cE '^(not )?ok' "$out/results")
 
 # The check itself is tested: it must detect the error in each of these files.
-rm -rf "$out/spoiled"
-mkdir -p "$out/spoiled"
-node "$here/spoil.mjs" "$out/files/hirame-own.glb" "$out/spoiled" || exit 1
-for spoiled in "$out"/spoiled/*.glb; do
+rm -rf "$out/damaged"
+mkdir -p "$out/damaged"
+node "$here/damage_glb.mjs" "$out/files/hirame-own.glb" "$out/damaged" || exit 1
+for damaged in "$out"/damaged/*.glb; do
     for moment in "$out"/files/hirame-own@*.obj; do
-        cp "$moment" "${spoiled%.glb}@${moment##*@}"
+        cp "$moment" "${damaged%.glb}@${moment##*@}"
     done
 done
-node "$here/judge.mjs" "$out/spoiled" "$out" "$chromium" >"$out/judged" 2>&1
-for spoiled in "$out"/spoiled/*.glb; do
-    name=$(basename "$spoiled" .glb)
+node "$here/check_glb.mjs" "$out/damaged" "$out" "$chromium" >"$out/results" 2>&1
+for damaged in "$out"/damaged/*.glb; do
+    name=$(basename "$damaged" .glb)
     count=$((count + 1))
-    found=$(sed -n "s/^not ok [0-9]* - $name: //p" "$out/judged" | head -1)
+    found=$(sed -n "s/^not ok [0-9]* - $name: //p" "$out/results" | head -1)
     echo "$([ -n "$found" ] || echo 'not ')ok $count - the check detects $name: $found"
 done
 echo "1..$count"

@@ -34,7 +34,8 @@ void tally_complain(struct tally *tally, uint64_t *count, const char *where, con
 }
 
 /* Opens the store in `folder` and loads its state, as the kiosk does when it starts. */
-static int wake(const char *folder, struct persistent_state *memory, char why[BOOKS_WHY_SIZE])
+static int wake(const char *folder, struct persistent_state *memory,
+                char why[LEDGER_TOTALS_WHY_SIZE])
 {
     memset(memory, 0, sizeof *memory);
     settings_reset(&memory->settings);
@@ -44,7 +45,7 @@ static int wake(const char *folder, struct persistent_state *memory, char why[BO
     if (result == HAL_OK) {
         result = device.ledger.ops->load(device.ledger.self, memory);
     }
-    snprintf(why, BOOKS_WHY_SIZE, "%s", device.ledger.ops->describe(device.ledger.self));
+    snprintf(why, LEDGER_TOTALS_WHY_SIZE, "%s", device.ledger.ops->describe(device.ledger.self));
     const int is_fresh = atomic_load(&store.quarantined) != 0;
     device.ledger.ops->close(device.ledger.self);
     return result == HAL_OK && !is_fresh ? 0 : -1;
@@ -66,10 +67,10 @@ static int is_ranked(const struct ranking *ranking, uint32_t round_id)
 /* Compares the ticket counts of the ledger and the dispenser. The ledger must have removed each
  * ticket whose dispenser pulse has begun, and at most one ticket more. */
 static int tickets_differ(const struct persistent_state *memory, const struct promise *promise,
-                          struct tally *tally, char why[BOOKS_WHY_SIZE])
+                          struct tally *tally, char why[LEDGER_TOTALS_WHY_SIZE])
 {
     const uint32_t out = memory->audits.count[AUDIT_TICKETS_OUT];
-    snprintf(why, BOOKS_WHY_SIZE, "%u tickets began to come out, and %u left the ledger",
+    snprintf(why, LEDGER_TOTALS_WHY_SIZE, "%u tickets began to come out, and %u left the ledger",
              promise->tickets, out);
     tally->tickets_missing += out == promise->tickets + 1u;
     return out == promise->tickets || out == promise->tickets + 1u ? 0 : -1;
@@ -79,8 +80,8 @@ void cutter_check(const struct cutter *cutter, struct tally *tally, const char *
                   const struct promise *promise, const char *where)
 {
     static struct persistent_state memory;
-    struct books_file file;
-    char why[BOOKS_WHY_SIZE], path[PATH_SIZE];
+    struct ledger_totals_file file;
+    char why[LEDGER_TOTALS_WHY_SIZE], path[PATH_SIZE];
     if (wake(folder, &memory, why) != 0) {
         tally_complain(tally, &tally->unopenable, where, why);
         return;
@@ -94,9 +95,9 @@ void cutter_check(const struct cutter *cutter, struct tally *tally, const char *
         tally_complain(tally, &tally->lost, where, why);
     } else if (last > promise->kept) {
         tally_complain(tally, &tally->ghosts, where, why);
-    } else if (books_read(path, promise->replay, &file) != 0) {
+    } else if (ledger_totals_read(path, promise->replay, &file) != 0) {
         tally_complain(tally, &tally->unopenable, where, "another program cannot read it");
-    } else if (books_agree(&cutter->books[last], &memory, &file, why) != 0) {
+    } else if (ledger_totals_agree(&cutter->totals[last], &memory, &file, why) != 0) {
         tally_complain(tally, &tally->differing, where, why);
     } else if (tickets_differ(&memory, promise, tally, why) != 0) {
         tally_complain(tally, &tally->differing, where, why);
@@ -106,7 +107,7 @@ void cutter_check(const struct cutter *cutter, struct tally *tally, const char *
                        "a replay that was promised is not there");
     } else if (tally->cuts % GO_ON_EACH == 0) {
         tally->mornings++;
-        if (go_on(folder, &cutter->books[last], last, why) != 0) {
+        if (go_on(folder, &cutter->totals[last], last, why) != 0) {
             tally_complain(tally, &tally->differing, where, why);
         }
     }
@@ -121,7 +122,7 @@ static void cut_again(const struct cutter *cutter, struct tally *tally, const ch
     static struct tape second;
     struct disk disk;
     struct persistent_state memory;
-    char why[BOOKS_WHY_SIZE], place[120];
+    char why[LEDGER_TOTALS_WHY_SIZE], place[120];
     disk_open(&disk, &second);
     const uint32_t count = disk_put_folder(&disk, folder, names);
     tape_begin(&second, folder, (const char(*)[TAPE_NAME_SIZE])names, count);

@@ -2,13 +2,13 @@
  * of the file operations of a run (tape.h).
  *
  * After each cut, the store opens the files that are left. The test compares the loaded state with
- * totals that it computed without the store (books.h). */
+ * totals that it computed without the store (ledger_totals.h). */
 #ifndef KINGYO_TESTS_POWER_CUTTER_H
 #define KINGYO_TESTS_POWER_CUTTER_H
 
 #include <stdint.h>
 
-#include "tests/power/books.h"
+#include "tests/power/ledger_totals.h"
 #include "tests/power/disk.h"
 
 /* Counts of simulated cuts, and of the faults that were found after them. Each worker process
@@ -26,14 +26,14 @@ struct tally {
     uint64_t ahead;
     uint64_t done; /* Number of operations of the tape for which all cuts are done, to show the
                       progress. */
-    char first[BOOKS_WHY_SIZE + 100];
+    char first[LEDGER_TOTALS_WHY_SIZE + 100];
 };
 
 struct cutter {
     const struct tape *tape;
-    /* Totals of the ledger entries (coins, rounds, balance). books[n] has the totals of the entries
-     * 1 to n. */
-    const struct books *books;
+    /* Totals of the ledger entries (coins, rounds, balance). totals[n] has the totals of the
+     * entries 1 to n. */
+    const struct ledger_totals *totals;
     const char *folder; /* Folder for the files that a simulated cut leaves. */
     uint32_t ways;      /* Number of different power cuts after each file operation. */
     uint32_t seed, jobs;

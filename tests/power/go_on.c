@@ -15,9 +15,9 @@
 static struct hour morning;
 static struct storage store;
 
-static int refuse(char why[BOOKS_WHY_SIZE], const char *what)
+static int refuse(char why[LEDGER_TOTALS_WHY_SIZE], const char *what)
 {
-    snprintf(why, BOOKS_WHY_SIZE, "played on: %.180s", what);
+    snprintf(why, LEDGER_TOTALS_WHY_SIZE, "played on: %.180s", what);
     return -1;
 }
 
@@ -26,7 +26,7 @@ static uint32_t credits(const struct balance *balance)
     return balance->paid + balance->service;
 }
 
-static int is_reported_back(const struct books *before, const struct ledger_entry *entry)
+static int is_reported_back(const struct ledger_totals *before, const struct ledger_entry *entry)
 {
     const uint8_t open = before->balance.open, kind = open & PAYMENT_KIND_MASK;
     const uint32_t count =
@@ -38,7 +38,7 @@ static int is_reported_back(const struct books *before, const struct ledger_entr
 /* Returns 1 if `entry` ends the interrupted round without a refund, as required if its credit was
  * already spent (PAYMENT_SPENT). The entry must then have the catch and the tickets that were
  * stored for the round. */
-static int is_kept(const struct books *before, const struct ledger_entry *entry)
+static int is_kept(const struct ledger_totals *before, const struct ledger_entry *entry)
 {
     return (before->balance.open & PAYMENT_SPENT) && before->stand.value >> 16 != 0 &&
            entry->kind == LEDGER_ROUND && entry->detail == ROUND_CUT_OFF &&
@@ -51,7 +51,8 @@ static int is_kept(const struct books *before, const struct ledger_entry *entry)
 /* Checks the first ledger entries after the power cut. The first one records the start of the
  * kiosk. If a round was running at the time of the cut, the second one ends or refunds this
  * round. */
-static int opens_well(const struct books *before, uint32_t last_id, char why[BOOKS_WHY_SIZE])
+static int opens_well(const struct ledger_totals *before, uint32_t last_id,
+                      char why[LEDGER_TOTALS_WHY_SIZE])
 {
     const struct ledger_entry *boot = &morning.entries[last_id + 1u], *end = boot + 1;
     const int was_open = before->balance.open != PAYMENT_NONE;
@@ -83,7 +84,8 @@ static uint32_t tickets_out(uint32_t last_id)
 
 /* Checks that all tickets that were owed before the cut are dispensed. New rounds may have added
  * further tickets. */
-static int pays_tickets(const struct books *before, uint32_t last_id, char why[BOOKS_WHY_SIZE])
+static int pays_tickets(const struct ledger_totals *before, uint32_t last_id,
+                        char why[LEDGER_TOTALS_WHY_SIZE])
 {
     const uint32_t out = tickets_out(last_id);
     uint32_t owed = before->balance.tickets;
@@ -107,8 +109,8 @@ static int pays_tickets(const struct books *before, uint32_t last_id, char why[B
  * is dispensed only after the thread of the store has committed its ledger entry. The frames run
  * faster than real time, so a commit may be late. In this case the function plays on, and sleeps
  * after each frame, until the tickets are dispensed. */
-static int play(const char *folder, const struct books *before, uint32_t last_id,
-                char why[BOOKS_WHY_SIZE])
+static int play(const char *folder, const struct ledger_totals *before, uint32_t last_id,
+                char why[LEDGER_TOTALS_WHY_SIZE])
 {
     store = (struct storage){ .dir = folder };
     const struct hal_storage device = storage_device(&store);
@@ -128,19 +130,19 @@ static int play(const char *folder, const struct books *before, uint32_t last_id
                : refuse(why, "entries were not written");
 }
 
-int go_on(const char *folder, const struct books *before, uint32_t last_id,
-          char why[BOOKS_WHY_SIZE])
+int go_on(const char *folder, const struct ledger_totals *before, uint32_t last_id,
+          char why[LEDGER_TOTALS_WHY_SIZE])
 {
-    struct books books = *before;
+    struct ledger_totals totals = *before;
     struct persistent_state memory;
-    struct books_file file;
+    struct ledger_totals_file file;
     char path[300];
     if (play(folder, before, last_id, why) != 0 || opens_well(before, last_id, why) != 0 ||
         pays_tickets(before, last_id, why) != 0) {
         return -1;
     }
     for (uint32_t id = last_id + 1u; id <= morning.kept_id; id++) {
-        books_add(&books, &morning.entries[id]);
+        ledger_totals_add(&totals, &morning.entries[id]);
     }
     memset(&memory, 0, sizeof memory);
     settings_reset(&memory.settings);
@@ -152,8 +154,8 @@ int go_on(const char *folder, const struct books *before, uint32_t last_id,
     device.ledger.ops->load(device.ledger.self, &memory);
     device.ledger.ops->close(device.ledger.self);
     snprintf(path, sizeof path, "%.250s/" STORAGE_FILE, folder);
-    if (memory.ledger.last_id != morning.kept_id || books_read(path, 0, &file) != 0) {
+    if (memory.ledger.last_id != morning.kept_id || ledger_totals_read(path, 0, &file) != 0) {
         return refuse(why, "its entries are not there");
     }
-    return books_agree(&books, &memory, &file, why);
+    return ledger_totals_agree(&totals, &memory, &file, why);
 }

@@ -124,7 +124,7 @@ static void give_name(struct hour *hour)
     ledger_write(&hour->core.game.accounts, hour->core.game.tick, &entry, &hour->output);
 }
 
-static void keep_books(struct hour *hour)
+static void write_ledger(struct hour *hour)
 {
     const uint32_t round_id = newest_record(&hour->output)->id;
     if (happens(hour, DRAW_VOLUME, 100)) {
@@ -262,7 +262,7 @@ void hour_frame(struct hour *hour, struct hal_storage store)
         }
         dispense(hour, asked);
         land_fish(hour);
-        keep_books(hour);
+        write_ledger(hour);
     }
     pass_to_store(hour, store);
     pass_replay(hour, store);

@@ -23,14 +23,14 @@
 #define HASTE 16u
 #define STARTS_MAX 3u /* Largest number of attempts to open the store at the start of a run. */
 #define CUTS_A_PART 6u
-/* Length of books[], which has the totals after each ledger entry. This limits the number of
+/* Length of totals[], which has the totals after each ledger entry. This limits the number of
  * entries in one life of a kiosk. */
-#define BOOKS_MAX 1024u
+#define TOTALS_MAX 1024u
 
 static struct hour hour;
 static struct tape tape;
 static struct storage store;
-static struct books books[BOOKS_MAX];
+static struct ledger_totals totals[TOTALS_MAX];
 
 /* The life of a simulated kiosk: a sequence of runs (parts) on the same files. The struct also
  * contains the state of the process that simulates this life. */
@@ -71,9 +71,9 @@ static void plan_faults(struct life *life)
  * restarted kiosk may use the same ids again. The new entries then replace the old ones. */
 static void add_up(uint32_t known)
 {
-    for (uint32_t id = known + 1u; id <= hour.kept_id && id < BOOKS_MAX; id++) {
-        books[id] = books[id - 1u];
-        books_add(&books[id], &hour.entries[id]);
+    for (uint32_t id = known + 1u; id <= hour.kept_id && id < TOTALS_MAX; id++) {
+        totals[id] = totals[id - 1u];
+        ledger_totals_add(&totals[id], &hour.entries[id]);
     }
 }
 
@@ -100,7 +100,7 @@ static int begin_part(struct life *life, struct hal_storage device)
  * a second. */
 static void play(struct life *life, struct hal_storage device)
 {
-    for (uint32_t i = 0; i < FRAMES && hour.kept_id < BOOKS_MAX - 64u; i++) {
+    for (uint32_t i = 0; i < FRAMES && hour.kept_id < TOTALS_MAX - 64u; i++) {
         const unsigned pushed = store.pushed + store.edits_pushed;
         hour_frame(&hour, device);
         if (i % 60u == 0 || pushed != store.pushed + store.edits_pushed) {
@@ -166,7 +166,7 @@ static void step_to(struct life *life, size_t op)
 
 static void cut_at(struct life *life, size_t op)
 {
-    const struct cutter cutter = { .tape = &tape, .books = books, .folder = life->folder };
+    const struct cutter cutter = { .tape = &tape, .totals = totals, .folder = life->folder };
     struct tally *tally = &life->tally->cuts;
     const enum disk_luck luck = (enum disk_luck)(draw(life) % DISK_LUCK_COUNT);
     char where[120];
@@ -216,7 +216,7 @@ static void live(struct life *life)
     disk_open(&life->disk, own);
     life->stepped = 0;
     life->promise = (struct promise){ 0 };
-    books_open(&books[0]);
+    ledger_totals_open(&totals[0]);
     tape_begin(own, life->folder, NULL, 0);
     const uint32_t parts = 1u + draw(life) % PARTS_MAX;
     for (uint32_t part = 0; part < parts; part++) {

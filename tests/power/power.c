@@ -7,9 +7,9 @@
  * The hour (hour.h) is played once with the real core and store, and its file operations are
  * recorded (tape.h). The power is then cut after each operation in several ways (disk.h), N cuts in
  * total. The store opens the remaining files, and its state must be the sum of all entries up to a
- * valid last entry (books.h). One opening in 149 is also cut at each of its own file operations.
- * After one cut in 100 the test continues to play (go_on.h). Finally N lives with failing file
- * calls are played (lives.h).
+ * valid last entry (ledger_totals.h). One opening in 149 is also cut at each of its own file
+ * operations. After one cut in 100 the test continues to play (go_on.h). Finally N lives with
+ * failing file calls are played (lives.h).
  *
  * With --deaf no sync reaches the disk, so that the test must find losses. Returns exit status 1 if
  * any check fails. */
@@ -43,7 +43,7 @@ struct plan {
 
 static struct hour hour;
 static struct tape tape;
-static struct books *books; /* books[n] has the totals of the ledger entries 1 to n. */
+static struct ledger_totals *totals; /* totals[n] has the totals of the ledger entries 1 to n. */
 static struct storage store;
 
 /* ---- Playing the hour ----------------------------------------------------------------------- */
@@ -72,14 +72,14 @@ static int play(const struct plan *plan, const char *folder)
 
 static int add_up(void)
 {
-    books = calloc(hour.kept_id + 1u, sizeof *books);
-    if (!books) {
+    totals = calloc(hour.kept_id + 1u, sizeof *totals);
+    if (!totals) {
         return -1;
     }
-    books_open(&books[0]);
+    ledger_totals_open(&totals[0]);
     for (uint32_t id = 1; id <= hour.kept_id; id++) {
-        books[id] = books[id - 1u];
-        books_add(&books[id], &hour.entries[id]);
+        totals[id] = totals[id - 1u];
+        ledger_totals_add(&totals[id], &hour.entries[id]);
     }
     return 0;
 }
@@ -248,7 +248,7 @@ static int run_hour(const struct plan *plan)
         points += (uint32_t)cutter_is_point(&tape.ops[i]);
     }
     struct tally sum = { 0 };
-    const struct cutter cutter = { &tape,        books,
+    const struct cutter cutter = { &tape,        totals,
                                    plan->folder, (plan->cuts + points - 1u) / points,
                                    plan->seed,   plan->jobs };
     if (cutter_run(&cutter, &sum) != 0) {

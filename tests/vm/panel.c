@@ -164,10 +164,10 @@ __attribute__((noreturn)) static void count_rises(const char *wire, const char *
             exit(74);
         }
     }
-    for (uint32_t told = UINT32_MAX;; wait_ms(10.0 * LOOK_MS)) {
+    for (uint32_t printed = UINT32_MAX;; wait_ms(10.0 * LOOK_MS)) {
         const uint32_t rises = atomic_load(&seen.rises);
-        if (rises != told) {
-            write_count(out, told = rises);
+        if (rises != printed) {
+            write_count(out, printed = rises);
         }
     }
 }

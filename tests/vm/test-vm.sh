@@ -7,14 +7,14 @@ export GUEST=${GUEST:-bookworm} BUILD=${BUILD:-build}
 # shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/lib.sh"
 . "$(dirname "$0")/qemu.sh"
-. "$(dirname "$0")/judge.sh"
+. "$(dirname "$0")/results.sh"
 width=320 height=240
 limit_s=${VM_SECONDS:-420} patience_s=${VM_PATIENCE:-120}
-look_pid='' hand_pid='' hanging=0
+look_pid='' planner_pid='' hanging=0
 
 leave() {
     guest_stop
-    for pid in $look_pid $hand_pid; do
+    for pid in $look_pid $planner_pid; do
         kill "$pid" 2>/dev/null || true
     done
 }
@@ -35,7 +35,7 @@ make_share() {
     rm -rf "$run" "$shots"
     mkdir -p "$share"/{bin,out,shots} "$shots"
     cp -r "$here/guest" "$top/board/udev" "$share/"
-    cp "$programs"/{kingyo,kingyoctl,kingyo-poi} "$programs"/tests/vm/{keeper,as,panel,lag} \
+    cp "$programs"/{kingyo,kingyoctl,kingyo-poi} "$programs"/tests/vm/{watchdog_host,as,panel,lag} \
         "$top/board/poi-gadget/kingyo-poi-gadget" "$share/bin/"
     make_users "$share"
     chmod 777 "$share/out"
@@ -44,18 +44,18 @@ make_share() {
     [ ! -d "$cache/mesa" ] || cp -r "$cache/mesa" "$share/mesa"
 }
 
-hand() { # Runs in the background. The guest continues when hand-done exists.
+plan_scoops() { # Runs in the background. The guest continues when plan-done exists.
     local status=0
-    "$BUILD/tests/vm/hand" "$share/out/play.kgr" "$share" "$patience_s" >"$share/hand.log" 2>&1 || status=$?
-    echo "$status" >"$share/hand-done"
+    "$BUILD/tests/vm/scoop_planner" "$share/out/play.kgr" "$share" "$patience_s" >"$share/plan.log" 2>&1 || status=$?
+    echo "$status" >"$share/plan-done"
 }
 
 heard() { # Handles one line from the guest (guest/lib.sh).
     set -- $1
     case ${2-} in
-        ok | bad) judge "${@:2}" ;;
-        booted) judge ok boot "${*:3}" ;;
-        hand) hand & hand_pid=$! ;;
+        ok | bad) record_result "${@:2}" ;;
+        booted) record_result ok boot "${*:3}" ;;
+        plan) plan_scoops & planner_pid=$! ;;
         the) hanging=1 ;; # "the kiosk is stopped"
         not) hanging=0 ;;
         '#') [ "${V:-0}" = 0 ] || echo "       $*" ;;
@@ -63,8 +63,8 @@ heard() { # Handles one line from the guest (guest/lib.sh).
     [ "${2-}" = '#' ] || printf '       %s\n' "$*"
 }
 
-judge_pictures() {
-    judge_tank attract picture
+check_pictures() {
+    check_tank attract picture
     if [ -f "$shots/paused.png" ] && [ -f "$shots/resumed.png" ]; then
         local dark light
         dark=$(middle "$shots/paused.png")
@@ -74,7 +74,7 @@ judge_pictures() {
     fi
 }
 
-seen() { # NAME: Prints the latest value of NAME from look.c.
+seen() { # NAME: Prints the latest value of NAME from state_writer.c.
     sed -n "s/^$1 //p" "$share/seen" 2>/dev/null || true
 }
 
@@ -86,20 +86,20 @@ warnings() {
         grep -vE 'cut here|^--|Trying to free already-free IRQ' | head -1 || true
 }
 
-judge_logs() {
+check_logs() {
     local out=$share/out/kingyo.out err=$share/out/kingyo.err line
     line=$(first 'arrival' "$out")
     passes latency "${line:-the kiosk reports no latency}" -- [ -n "$line" ]
-    line=$(first 'keeper: fed' "$err")
+    line=$(first 'watchdog_host: fed' "$err")
     passes fed "${line:-the watchdog was not fed}" -- [ "${line:+1}" = 1 ]
     line=$(first 'BUG:|Oops|segfault|general protection|Kernel panic|hung task' "$run/console" "$share/out/dmesg")
     [ -n "$line" ] || line=$(warnings)
     [ -n "$line" ] || line=$(first 'panic|assert|anitizer|egmentation|aborted' "$err")
-    passes crash "${line:-$(wc -l <"$run/console") lines of the kernel, $(grep -vc '^keeper' "$err") of the kiosk}" -- [ -z "$line" ]
+    passes crash "${line:-$(wc -l <"$run/console") lines of the kernel, $(grep -vc '^watchdog_host' "$err") of the kiosk}" -- [ -z "$line" ]
     passes twin "$(seen ticks) ticks; the first difference: $(seen differs_at)" -- grep -q '^differs_at 0' "$share/seen"
 }
 
-judge_watchdog() { # QEMU reports when a watchdog expires, and why QEMU ended.
+check_watchdog() { # QEMU reports when a watchdog expires, and why QEMU ended.
     local bit=no
     grep -q '"WATCHDOG"' "$run/qmp.log" && bit=yes
     passes watchdog "hanging: $hanging, expired: $bit" -- [ "$hanging$bit" = 1yes ]
@@ -110,7 +110,7 @@ programs=$("$here/programs.sh")
 make_share
 step "boot ${GUEST}"
 guest_start "$limit_s"
-"$BUILD/tests/vm/look" "$share/out/play.kgr" "$share/seen" &
+"$BUILD/tests/vm/state_writer" "$share/out/play.kgr" "$share/seen" &
 look_pid=$!
 guest_listen
 step "the guest is off (qemu ended with $qemu_status)"
@@ -119,8 +119,8 @@ sleep 1
 kill "$look_pid" 2>/dev/null || true
 wait "$look_pid" || true
 look_pid=''
-judge_pictures
-judge_logs
-judge_watchdog
+check_pictures
+check_logs
+check_watchdog
 table "$here/checks.txt" "$GUEST: $(cat "$cache/kernel/release")" | tee "$cache/table.txt"
 exit "${PIPESTATUS[0]}"

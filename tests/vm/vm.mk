@@ -1,9 +1,9 @@
 # vm.mk -- tests of the kiosk with Debian's real kernels, in an emulated machine.
 
-VM_BIN := $(BUILD)/tests/vm/hand $(BUILD)/tests/vm/look $(BUILD)/tests/vm/image/witness
+VM_BIN := $(BUILD)/tests/vm/scoop_planner $(BUILD)/tests/vm/state_writer $(BUILD)/tests/vm/image/witness
 # Programs that run in the guest beside the kiosk. The static programs need no library of the
 # guest.
-VM_STATIC := $(BUILD)/tests/vm/keeper $(BUILD)/tests/vm/as $(BUILD)/tests/vm/panel \
+VM_STATIC := $(BUILD)/tests/vm/watchdog_host $(BUILD)/tests/vm/as $(BUILD)/tests/vm/panel \
     $(BUILD)/tests/vm/image/hold
 VM_GUEST := $(VM_STATIC) $(BUILD)/tests/vm/lag
 

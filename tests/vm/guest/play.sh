@@ -13,23 +13,23 @@ kiosk_start() { # LOG SECONDS of the watchdog, OPTIONS...
     for line in $cabinet_wiring; do
         wired="$wired --line $line"
     done
-    keeper /dev/watchdog0 "$patience" as kingyo kingyo --lang en --data /tmp/data --poi usb \
+    watchdog_host /dev/watchdog0 "$patience" as kingyo kingyo --lang en --data /tmp/data --poi usb \
         --usb $poi_ids $wired "$@" \
         >$log.out 2>$log.err &
     kiosk=$!
     await 600 has_begun # Compiling the shaders takes minutes if other programs use the processors.
-    grep -q 'keeper: ready' $log.err
+    grep -q 'watchdog_host: ready' $log.err
 }
 
 has_begun() { # Returns 0 if the kiosk has begun or has ended.
-    grep -q 'keeper: ready' $log.err || ! kill -0 $kiosk
+    grep -q 'watchdog_host: ready' $log.err || ! kill -0 $kiosk
 }
 
 tell_logs() {
     sed 's/^/0 # /' $log.out $log.err >>$talk
 }
 
-read_count() { # NAME: Prints a value of the recording as the host computed it a moment ago (look.c).
+read_count() { # NAME: Prints a value of the recording as the host computed it a moment ago (state_writer.c).
     sed -n "s/^$1 //p" $host/seen 2>/dev/null
 }
 
@@ -81,15 +81,15 @@ press START
 await 20 reads rounds -eq 1
 found $? start "$(read_count start) press, round $(read_count rounds), $(read_count credits) credits left"
 
-# The hand program on the host plans a motion to a fish and sends it to the gadget. A round lasts
+# The program scoop_planner on the host plans a motion to a fish and sends it to the gadget. A round lasts
 # at most a minute, so another round may start meanwhile.
-say 'hand'
+say 'plan'
 end=$(($(now_ms) + 1000 * $(cat $host/patience)))
-until [ -e $host/hand-done ] || [ "$(now_ms)" -gt $end ]; do
+until [ -e $host/plan-done ] || [ "$(now_ms)" -gt $end ]; do
     sleep 2
     play_on
 done
-found "$(cat $host/hand-done 2>/dev/null || echo 1)" fish "$(tail -n 1 $host/hand.log)"
+found "$(cat $host/plan-done 2>/dev/null || echo 1)" fish "$(tail -n 1 $host/plan.log)"
 shot caught
 
 # The cable is unplugged during a round.

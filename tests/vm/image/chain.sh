@@ -11,13 +11,13 @@
 export BUILD=${BUILD:-build}
 job=$1 kills=$2
 . "$(dirname "$0")/plug.sh" "image-kills/$job"
-. "$(dirname "$0")/books.sh"
+. "$(dirname "$0")/check_ledger.sh"
 photo=$cache/../photo initrd=$cache/../initrd.zst
 seed=$((${SEED:-1} * 100 + job)) limit_s=${VM_SECONDS:-600} coins_max=${COINS:-25} cold=${COLD:-0} lies=${LIES:+lies}
 # Time from the check of the disk to the first coin. Replaced by the measured time.
 start_ms=${START_MS:-20000}
 processors=${PROCESSORS:-2}
-failures=0 kill=0 starts_hit=0 rounds_hit=0 refunds=0 told_all=0 looks=0
+failures=0 kill=0 starts_hit=0 rounds_hit=0 refunds=0 reported_all=0 looks=0
 RANDOM=$seed
 
 leave() {
@@ -82,16 +82,16 @@ start_once() {
 
 # Checks the entries that this start found, the entries it reported, and its disk after the power
 # cut.
-judge_start() {
-    found='lost its power before the check' refunded=0 told_count=0
-    if books_found; then
+check_start() {
+    found='lost its power before the check' refunded=0 reported_count=0
+    if check_disk_ledger; then
         looks=$((looks + 1))
         found="found entries up to $found_to"
         [ "$found_open" = 0 ] || { found+=', a round was open'; rounds_hit=$((rounds_hit + 1)); }
     fi
     [ "$failures" -eq 0 ] || return 0
-    books_told "$fallen" || true
-    refunds=$((refunds + refunded)) told_all=$((told_all + told_count))
+    check_reported_ledger "$fallen" || true
+    refunds=$((refunds + refunded)) reported_all=$((reported_all + reported_count))
     [ "$failures" -eq 0 ] || return 0
     lost=$("$BUILD/tests/vm/image/cut" "$log" "$base" "$((seed * 1000 + kill))" $lies)
     [ "$kill" -gt "$kills" ] || echo "$lost" | tr -dc '0-9 \n' >>"$cache/writes.txt"
@@ -103,7 +103,7 @@ when() {
 
 tell() {
     printf '       kill %s.%d, %s: %d more entries acknowledged; %s. %d.%d s, this start %s\n' "$job" "$kill" "$(when)" \
-        "$told_count" "$lost" $((lived_ms / 1000)) $((lived_ms / 100 % 10)) "$found"
+        "$reported_count" "$lost" $((lived_ms / 1000)) $((lived_ms / 100 % 10)) "$found"
 }
 
 cp --sparse=always "$image/kingyo.img" "$base"
@@ -113,7 +113,7 @@ for ((kill = 1; kill <= kills + 1; kill++)); do
     lived_ms=$(($(now_ms) - switched_on))
     [ "$qemu_status" -eq 137 ] || bad "the machine ended before the power cut, with $qemu_status"
     [ "$loading" = 1 ] || [ -n "$puller" ] || bad 'the kiosk did not open'
-    judge_start
+    check_start
     [ "$failures" -eq 0 ] || break
     if [ "$kill" -le "$kills" ]; then
         [ "$loading" = 1 ] || starts_hit=$((starts_hit + 1))
@@ -127,7 +127,7 @@ done
 # coins; writes flushed, kept, torn, lost; failures.
 made=$((kill - 1 < kills ? kill - 1 : kills))
 coins=$(awk '$4 == 2 { sum += $6 } END { print sum + 0 }' "$cache/sure.txt")
-awk -v said="$made $looks $starts_hit $rounds_hit $refunds $told_all $coins" -v failures="$failures" \
-    '{ for (i = 1; i <= 5; i++) sum[i] += $i } END { print said, sum[1] + 0, sum[3] + 0, sum[4] + 0, sum[5] + 0, failures }' \
+awk -v counts="$made $looks $starts_hit $rounds_hit $refunds $reported_all $coins" -v failures="$failures" \
+    '{ for (i = 1; i <= 5; i++) sum[i] += $i } END { print counts, sum[1] + 0, sum[3] + 0, sum[4] + 0, sum[5] + 0, failures }' \
     "$cache/writes.txt" >"$cache/sums"
 [ "$failures" -eq 0 ]

@@ -12,7 +12,7 @@ mkdir -p "$cache"
 cache=$(cd "$cache" && pwd)
 image=$(cd "$BUILD/image/vm" && pwd)
 . "$here/qemu.sh"
-. "$here/judge.sh"
+. "$here/results.sh"
 processors=2
 width=160 height=120 # A picture of this size is drawn several times a second.
 disk=$run/disk.img initrd=$cache/initrd.zst

@@ -20,7 +20,7 @@ trap 'exit 143' TERM HUP
 
 follow() { # RECORDING
     [ -z "$look_pid" ] || kill "$look_pid" 2>/dev/null || true
-    "$BUILD/tests/vm/look" "$share/out/$1" "$share/seen" &
+    "$BUILD/tests/vm/state_writer" "$share/out/$1" "$share/seen" &
     look_pid=$!
 }
 
@@ -49,7 +49,7 @@ keyboard() { # KEYS, joined by a dash
 heard() { # Handles one line from the guest (tests/vm/guest/lib.sh).
     set -- $1
     case ${2-} in
-        ok | bad) judge "${@:2}" ;;
+        ok | bad) record_result "${@:2}" ;;
         recording) follow "$3" ;;
         keys) type_keys ;;
     esac
@@ -63,7 +63,7 @@ warnings() {
     grep -hE 'WARNING: |refcount_t' "${files[@]}" 2>/dev/null | grep -v ' at drivers/usb/gadget/' | head -1 || true
 }
 
-judge_logs() {
+check_logs() {
     local line files=("$run/console" "$share/out/dmesg" "$share/out/journal")
     line=$(first 'BUG:|Oops|segfault|general protection|Kernel panic|hung task' "${files[@]}")
     [ -n "$line" ] || line=$(warnings)
@@ -92,8 +92,8 @@ guest_start "$limit_s"
 guest_listen
 step "the machine is off (qemu ended with $qemu_status)"
 keep_shaders
-judge_tank attract picture
-[ ! -f "$shots/again.png" ] || judge_tank again screen-in
-judge_logs
+check_tank attract picture
+[ ! -f "$shots/again.png" ] || check_tank again screen-in
+check_logs
 table "$checks" "the disk of make image BOARD=vm" | tee "$cache/table.txt"
 exit "${PIPESTATUS[0]}"

@@ -38,7 +38,7 @@ follow() {
     await 60 test -s $host/seen
 }
 
-read_count() { # NAME: Prints a value of the recording as the host computed it a moment ago (look.c).
+read_count() { # NAME: Prints a value of the recording as the host computed it a moment ago (state_writer.c).
     sed -n "s/^$1 //p" $host/seen 2>/dev/null
 }
 

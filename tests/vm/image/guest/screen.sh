@@ -7,7 +7,7 @@ words_of_the_stall() {
     journalctl --no-pager -o cat -u kingyo.service
 }
 
-has_said() { # Searches the log after its first $before lines.
+log_contains() { # Searches the log after its first $before lines.
     words_of_the_stall | tail -n "+$((before + 1))" | grep -q "$1"
 }
 
@@ -17,7 +17,7 @@ coins=$(read_count coins)
 await 60 is_lit LOCKOUT
 echo off >"$socket" # The kernel reports this state for a disconnected screen.
 pulled=$(now_ms)
-await 60 has_said 'continues without a picture'
+await 60 log_contains 'continues without a picture'
 out=$?
 gone=$(($(now_ms) - pulled))
 coins 2 >/dev/null
@@ -26,7 +26,7 @@ await 30 reads coins -eq $((coins + 2))
 found $? screen-out "noticed after $gone ms; $(($(read_count coins) - coins)) of 2 coins counted meanwhile"
 echo detect >"$socket"
 plugged=$(now_ms)
-await 120 has_said 'OpenGL ES'
+await 120 log_contains 'OpenGL ES'
 back=$?
 took=$(($(now_ms) - plugged))
 ticks=$(read_count ticks)

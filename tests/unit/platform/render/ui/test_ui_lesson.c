@@ -189,7 +189,8 @@ static void test_the_hint_of_a_single_player_has_words_inside_the_screen(void **
 static void test_the_hint_does_not_cover_its_ring(void **state)
 {
     (void)state;
-    for (float z_m = -0.3f; z_m < 0.31f; z_m += 0.1f) {
+    for (int tenth = -3; tenth <= 3; tenth++) {
+        const float z_m = 0.1f * (float)tenth;
         set_round(1);
         scene.poi[0].position_m = v3(0.0f, 0.035f, z_m);
         lay_out(sizes[0]);

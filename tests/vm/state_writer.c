@@ -1,6 +1,7 @@
-/* look.c -- writes the state of the game in the guest to a file, as lines of a name and a value.
+/* state_writer.c -- writes the state of the game in the guest to a file, as lines of a name and a
+ * value.
  *
- * Usage: look RECORDING FILE
+ * Usage: state_writer RECORDING FILE
  *
  * The program recomputes the state from the kiosk's recording (twin.h). FILE is rewritten whenever
  * the recording has grown, until a signal ends the program. */
@@ -81,7 +82,7 @@ int main(int argc, char **argv)
     const struct sigaction action = { .sa_handler = on_signal };
     const struct timespec rest = { .tv_nsec = LOOK_NS };
     if (argc != 3) {
-        fprintf(stderr, "usage: look RECORDING FILE\n");
+        fprintf(stderr, "usage: state_writer RECORDING FILE\n");
         return 2;
     }
     sigaction(SIGTERM, &action, NULL);

@@ -1,5 +1,5 @@
 #!/bin/bash
-# test_books_command.sh -- kingyoctl scores, audits and backup: what they print, copy, restore and
+# test_accounts_commands.sh -- kingyoctl scores, audits and backup: what they print, copy, restore and
 # reject. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
@@ -8,7 +8,7 @@ data=$work/data
 mkdir "$data"
 cp $old/version-6.db "$data/kingyo.db"
 
-says() { # PATTERN WORDS...: The output of kingyoctl WORDS matches PATTERN.
+prints() { # PATTERN WORDS...: The output of kingyoctl WORDS matches PATTERN.
     local pattern=$1
     shift
     "$ctl" "$@" --data "$data" | tee "$work/out"
@@ -41,12 +41,12 @@ refuses_a_trigger() {
 }
 # The message gives each object's type and name, with escape sequences made visible.
 names_what_is_not_ours() {
-    local sql said
+    local sql content
     mkdir -p "$work/named"
-    while IFS='|' read -r sql said; do
+    while IFS='|' read -r sql content; do
         cp $old/version-6.db "$work/trap.db"
         sqlite3 "$work/trap.db" "$(printf '%b' "$sql")" || return 1
-        ends 65 "trap.db: holds the $said; use another copy" \
+        ends 65 "trap.db: holds the $content; use another copy" \
             backup --restore "$work/trap.db" --data "$work/named" || return 1
         grep -q $'\e' "$work/out" && return 1
     done <<'END'
@@ -166,7 +166,7 @@ is_shut_to_others() {
     [ $? -eq 74 ] && grep -q 'use sudo' "$work/out"
 }
 
-is_told_damaged() {
+is_reported_damaged() {
     "$ctl" scores verify 6 --json --data "$data" >"$work/json"
     [ $? -eq 1 ] && [ "$(sqlite3 :memory: "select json_extract(cast(readfile('$work/json') as text), '\$[0].verdict')")" = damaged ]
 }
@@ -177,10 +177,10 @@ takes_out() {
 }
 
 check 'scores lists each entry with day, round, name and replay' \
-    says '^ +1 +5 fish +2026-11-21 +round 6 +seat 1 +replay +きんぎょ$' scores --mode festival --period ever
+    prints '^ +1 +5 fish +2026-11-21 +round 6 +seat 1 +replay +きんぎょ$' scores --mode festival --period ever
 check 'scores verify reports an invalid replay with its round' ends 1 '^round 6: damaged: byte 6: ' scores verify 6 --data "$data"
 check 'scores verify --all checks all replays' ends 1 '^round 6: damaged' scores verify --all --data "$data"
-check 'scores verify --json reports the verdict' is_told_damaged
+check 'scores verify --json reports the verdict' is_reported_damaged
 check 'scores replay refuses a damaged replay, which may contain a PIN' ends 1 'may hold the PIN' \
     scores replay 6 -o "$work/none" --data "$data"
 check 'scores replay --with-pin extracts a replay unchanged' takes_out
@@ -201,8 +201,8 @@ check 'scores --level refuses an unknown level' ends 2 'master, normal or easy' 
 check 'audits counts the rounds at each level' query \
     "json_extract(j, '\$.audits.\"rounds-master\"') + json_extract(j, '\$.audits.\"rounds-easy\"') = json_extract(j, '\$.audits.rounds')" audits
 check 'a leaderboard without entries is empty' query "json_array_length(j) = 0" scores --mode championship
-check 'audits prints a table' says '^  caught +7$' audits
-check 'the table of audits shows the credits in the machine' says '^9 entries, start 2; in the machine: paid credits 2, service credits 1, units' audits
+check 'audits prints a table' prints '^  caught +7$' audits
+check 'the table of audits shows the credits in the machine' prints '^9 entries, start 2; in the machine: paid credits 2, service credits 1, units' audits
 check 'audits --json prints one object' query \
     "json_extract(j, '\$.audits.caught') = 7 and json_extract(j, '\$.entries') = 9" audits
 check 'a backup is one complete file' is_copy

@@ -1,4 +1,4 @@
-// spoil.mjs FILE.glb FOLDER -- copies of a good file with one thing wrong in each, for the judge to find.
+// damage_glb.mjs FILE.glb FOLDER -- writes copies of a valid file, each with one fault that check_glb.mjs must detect.
 import fs from 'node:fs';
 import path from 'node:path';
 
@@ -15,7 +15,7 @@ function floats_of(index) { // Where an accessor's numbers lie in the file.
 
 const output = (way) => samplers[channels.find((c) => c.target.path === way).sampler].output;
 const body = gltf.meshes[0].primitives[0];
-const spoilers = {
+const changes = {
     'a bound that is not kept': [body.attributes.POSITION, (x, i) => (i === 0 ? 9 : x)],
     'a target that is 0.05 % too long': [body.targets[0].POSITION, (x) => 1.0005 * x + 2e-4],
     'size 0.1 % too large': [output('scale'), (x) => 1.001 * x],
@@ -25,7 +25,7 @@ const spoilers = {
     'normals that point inward': [body.attributes.NORMAL, (x) => -x],
     'colours a hundredth too bright': [body.attributes.COLOR_0, (x) => Math.min(1, x + 0.01)],
 };
-for (const [name, [accessor, change]] of Object.entries(spoilers)) {
+for (const [name, [accessor, change]] of Object.entries(changes)) {
     const bytes = Buffer.from(good), { first, count } = floats_of(accessor);
     for (let i = 0; i < count; i++) {
         bytes.writeFloatLE(change(bytes.readFloatLE(first + 4 * i), i), first + 4 * i);

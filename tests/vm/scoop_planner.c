@@ -1,6 +1,6 @@
-/* hand.c -- plays on the kiosk in the guest through its USB poi until a fish is landed.
+/* scoop_planner.c -- plays on the kiosk in the guest through its USB poi until a fish is landed.
  *
- * Usage: hand RECORDING PLANS SECONDS
+ * Usage: scoop_planner RECORDING PLANS SECONDS
  *
  * The program recomputes the game from the kiosk's recording (twin.h). On a copy of this game, the
  * core's own bot simulates complete scoops. If a simulated scoop lands a fish, the program writes
@@ -236,7 +236,7 @@ static double try_once(double seen_s, const char *folder, uint32_t *luck)
     }
     wait_s(start_s - DELIVERY_S - now_s());
     const double long_s = (double)plans[0].count / (CORE_TICK_HZ * pace.rate);
-    printf("hand: the best of %u ideas at tick %u takes %.1f s at %.0f %% of its pace; "
+    printf("scoop_planner: the best of %u ideas at tick %u takes %.1f s at %.0f %% of its pace; "
            "a fish in %u of %u trials\n",
            ideas, twin.ticks, long_s, 100.0 * pace.rate, plans[0].lands, JITTERS + 1u);
     fflush(stdout);
@@ -246,7 +246,7 @@ static double try_once(double seen_s, const char *folder, uint32_t *luck)
 int main(int argc, char **argv)
 {
     if (argc != 4) {
-        fprintf(stderr, "usage: hand RECORDING PLANS SECONDS\n");
+        fprintf(stderr, "usage: scoop_planner RECORDING PLANS SECONDS\n");
         return 2;
     }
     const double end_s = now_s() + strtod(argv[3], NULL);
@@ -257,15 +257,15 @@ int main(int argc, char **argv)
         const int more = twin_follow(&twin);
         const double seen_s = now_s();
         if (more < 0) {
-            printf("hand: tick %u is not the kiosk's\n", twin.differs_at);
+            printf("scoop_planner: tick %u is not the kiosk's\n", twin.differs_at);
             return 65;
         }
         if (more > 0) {
             measure_pace(seen_s);
         }
         if (twin.caught > 0) {
-            printf("hand: %u landed after %u plans, %u ticks computed alike\n", twin.caught, sent,
-                   twin.ticks);
+            printf("scoop_planner: %u landed after %u plans, %u ticks computed alike\n",
+                   twin.caught, sent, twin.ticks);
             return 0;
         }
         if (more > 0 && can_play() && seen_s > busy_until_s) {
@@ -275,6 +275,7 @@ int main(int argc, char **argv)
         }
         wait_s(0.05);
     }
-    printf("hand: none landed after %u plans in %s s, %u ticks\n", sent, argv[3], twin.ticks);
+    printf("scoop_planner: none landed after %u plans in %s s, %u ticks\n", sent, argv[3],
+           twin.ticks);
     return 1;
 }

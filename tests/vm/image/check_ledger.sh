@@ -1,4 +1,4 @@
-# books.sh -- compares the database after a power cut with the entries that the kiosk reported
+# check_ledger.sh -- compares the database after a power cut with the entries that the kiosk reported
 # before. Source it after plug.sh. The script that sources this file defines bad().
 # Entries have ids that rise by one. Each entry that was acknowledged to the kiosk, or that was
 # found at a start, must stay on the disk unchanged. The disk may have more entries, because a
@@ -6,10 +6,10 @@
 # shellcheck shell=bash disable=SC2154,SC2034  # the sourcing scripts set and use these variables
 sure_to=0       # No entry with an id up to this value may be missing.
 found_to=0 found_open=0
-told_purse=''   # The balance according to the newest entry that was found.
+last_entry=''   # The balance according to the newest entry that was found.
 columns='id, boot, tick, kind, detail, count, value, units, bonus_units, paid, service, untold, open'
 : >"$cache/sure.txt"   # The entries up to sure_to, one on each line.
-: >"$cache/told.txt"   # The entries that the last reporting start wrote, acknowledged or not.
+: >"$cache/reported.txt"   # The entries that the last reporting start wrote, acknowledged or not.
 : >"$cache/fallen.txt" # "BOOT COINS": the maximum number of coins that were inserted in that start.
 
 ask() { # SQL
@@ -35,7 +35,7 @@ coins_too_many() {
 
 # Compares the entries that this start found on its disk (guest/kept.sh) with all acknowledged
 # entries. Returns 1 if the start did not get that far.
-books_found() {
+check_disk_ledger() {
     local count missing whole
     [ -d "$share/out/kept" ] || return 1
     grep -q '^kept' "$share/out/kept/data" || bad "$(cat "$share/out/kept/data")"
@@ -53,13 +53,13 @@ books_found() {
     [ -z "$missing" ] || bad "an acknowledged entry differs on the disk: $missing"
     # An entry that was written but not acknowledged may be missing. If the entry is on the disk,
     # it must be unchanged, because no other start has used its number.
-    missing=$(awk -v to="$found_to" '$1 <= to' "$cache/told.txt" | sort | comm -13 "$cache/disk.txt" - | head -1)
+    missing=$(awk -v to="$found_to" '$1 <= to' "$cache/reported.txt" | sort | comm -13 "$cache/disk.txt" - | head -1)
     [ -z "$missing" ] || bad "a written entry differs on the disk: $missing"
     missing=$(coins_too_many)
     [ -z "$missing" ] || bad "$missing"
     sums_agree || bad 'the audits are not the sums of the entries'
-    told_purse=$(ask 'SELECT id, units, bonus_units, paid, service, untold, open FROM entries ORDER BY id DESC LIMIT 1')
-    found_open=${told_purse##* }
+    last_entry=$(ask 'SELECT id, units, bonus_units, paid, service, untold, open FROM entries ORDER BY id DESC LIMIT 1')
+    found_open=${last_entry##* }
     sure_to=$found_to
     cp "$cache/disk.txt" "$cache/sure.txt"
 }
@@ -67,21 +67,21 @@ books_found() {
 # Compares the recording of this start with the database: the start has the balance of the disk and
 # returns the credit of an open round. The entries that this start acknowledged become sure.
 # Returns 1 if there is no complete recording.
-books_told() { # FALLEN
+check_reported_ledger() { # FALLEN
     local recording refunds started safe_to
-    : >"$cache/told.txt"
+    : >"$cache/reported.txt"
     recording=$(find "$share/out" -name 'play-*.kgr' -size +0 | head -1)
     [ -n "$recording" ] && "$BUILD/tests/vm/image/witness" "$recording" >"$cache/witness.txt" || return 1
     started=$(awk '/^start/ { print $2, $4, $5, $6, $7, $8, $9 }' "$cache/witness.txt")
-    [ "$started" = "${told_purse:-0 0 0 0 0 0 0}" ] || bad "the start began with '$started', but the disk had '$told_purse'"
-    awk '/^entry/ { print substr($0, 7) }' "$cache/witness.txt" >"$cache/told.txt"
-    refunds=$(awk '$4 == 6 && $5 == 2' "$cache/told.txt" | wc -l)
-    [ ! -s "$cache/told.txt" ] || [ "$refunds" -eq $((found_open != 0)) ] ||
+    [ "$started" = "${last_entry:-0 0 0 0 0 0 0}" ] || bad "the start began with '$started', but the disk had '$last_entry'"
+    awk '/^entry/ { print substr($0, 7) }' "$cache/witness.txt" >"$cache/reported.txt"
+    refunds=$(awk '$4 == 6 && $5 == 2' "$cache/reported.txt" | wc -l)
+    [ ! -s "$cache/reported.txt" ] || [ "$refunds" -eq $((found_open != 0)) ] ||
         bad "the start found an open round ($found_open) and returned $refunds credits"
     refunded=$refunds
     safe_to=$(awk '/^end/ { print $3 }' "$cache/witness.txt")
-    awk -v to="$safe_to" '$1 <= to' "$cache/told.txt" | sort - "$cache/sure.txt" >"$cache/sure.new"
+    awk -v to="$safe_to" '$1 <= to' "$cache/reported.txt" | sort - "$cache/sure.txt" >"$cache/sure.new"
     mv "$cache/sure.new" "$cache/sure.txt"
-    told_count=$((safe_to - sure_to)) sure_to=$safe_to
+    reported_count=$((safe_to - sure_to)) sure_to=$safe_to
     echo "$(awk '/^start/ { print $3 }' "$cache/witness.txt") $1" >>"$cache/fallen.txt"
 }

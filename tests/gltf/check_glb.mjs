@@ -1,4 +1,4 @@
-// judge.mjs FOLDER MODULES CHROMIUM -- what others think of the .glb files in FOLDER.
+// check_glb.mjs FOLDER MODULES CHROMIUM -- checks the .glb files in FOLDER with other programs.
 //
 // Khronos' validator must find no error and no warning. three.js, in a browser without a screen, must put
 // every vertex where NAME@PROGRESS.obj says, within 1e-4 of the fish's length, at each moment that is

@@ -1,6 +1,6 @@
-/* books.c -- computes the totals of ledger entries without the code of the store, and compares them
- * with the totals that the store loads. */
-#include "tests/power/books.h"
+/* ledger_totals.c -- computes the totals of ledger entries without the code of the store, and
+ * compares them with the totals that the store loads. */
+#include "tests/power/ledger_totals.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -11,28 +11,28 @@
 #include "core/game/game_fields.h"
 #include "tests/power/hour.h"
 
-void books_open(struct books *books)
+void ledger_totals_open(struct ledger_totals *totals)
 {
-    memset(books, 0, sizeof *books);
-    settings_reset(&books->settings);
+    memset(totals, 0, sizeof *totals);
+    settings_reset(&totals->settings);
 }
 
-void books_add(struct books *books, const struct ledger_entry *entry)
+void ledger_totals_add(struct ledger_totals *totals, const struct ledger_entry *entry)
 {
-    books->coins += entry->kind == LEDGER_COINS ? entry->count : 0u;
-    books->services += entry->kind == LEDGER_SERVICE;
-    books->refunds += entry->kind == LEDGER_REFUND ? entry->count : 0u;
+    totals->coins += entry->kind == LEDGER_COINS ? entry->count : 0u;
+    totals->services += entry->kind == LEDGER_SERVICE;
+    totals->refunds += entry->kind == LEDGER_REFUND ? entry->count : 0u;
     if (entry->kind == LEDGER_ROUND) {
-        books->rounds++;
-        books->caught += entry->round.caught;
+        totals->rounds++;
+        totals->caught += entry->round.caught;
     }
     if (entry->kind == LEDGER_SETTING) {
-        books->settings.value[entry->detail | entry->count << 8] = entry->value;
+        totals->settings.value[entry->detail | entry->count << 8] = entry->value;
     }
-    books->balance = entry->balance;
-    books->stand = round_standing_after(books->stand, entry);
-    audits_note(&books->audits, entry);
-    ranking_note(&books->ranking, entry);
+    totals->balance = entry->balance;
+    totals->stand = round_standing_after(totals->stand, entry);
+    audits_note(&totals->audits, entry);
+    ranking_note(&totals->ranking, entry);
 }
 
 /* ---- Reading the database without the store ------------------------------------------------- */
@@ -71,7 +71,7 @@ static int is_replay_of(uint32_t round_id, const void *bytes, size_t size)
     return length == size && memcmp(whole, bytes, size) == 0;
 }
 
-static void read_replays(sqlite3 *db, uint32_t replay_id, struct books_file *out, int *code)
+static void read_replays(sqlite3 *db, uint32_t replay_id, struct ledger_totals_file *out, int *code)
 {
     sqlite3_stmt *statement = NULL;
     if (*code == SQLITE_OK) {
@@ -87,7 +87,7 @@ static void read_replays(sqlite3 *db, uint32_t replay_id, struct books_file *out
     sqlite3_finalize(statement);
 }
 
-int books_read(const char *path, uint32_t replay_id, struct books_file *out)
+int ledger_totals_read(const char *path, uint32_t replay_id, struct ledger_totals_file *out)
 {
     sqlite3 *db = NULL;
     memset(out, 0, sizeof *out);
@@ -103,17 +103,17 @@ int books_read(const char *path, uint32_t replay_id, struct books_file *out)
 
 /* ---- Comparing the totals ------------------------------------------------------------------- */
 
-static int differs(char why[BOOKS_WHY_SIZE], const char *what, int64_t is, int64_t should)
+static int differs(char why[LEDGER_TOTALS_WHY_SIZE], const char *what, int64_t is, int64_t should)
 {
     if (is == should) {
         return 0;
     }
-    snprintf(why, BOOKS_WHY_SIZE, "%s: %lld, and %lld were told", what, (long long)is,
+    snprintf(why, LEDGER_TOTALS_WHY_SIZE, "%s: %lld, and %lld were told", what, (long long)is,
              (long long)should);
     return 1;
 }
 
-static int balance_differs(char why[BOOKS_WHY_SIZE], const struct balance *is,
+static int balance_differs(char why[LEDGER_TOTALS_WHY_SIZE], const struct balance *is,
                            const struct balance *should)
 {
     return differs(why, "credits that were paid", is->paid, should->paid) ||
@@ -126,7 +126,7 @@ static int balance_differs(char why[BOOKS_WHY_SIZE], const struct balance *is,
            differs(why, "the open round", is->open, should->open);
 }
 
-static int round_differs(char why[BOOKS_WHY_SIZE], const struct ledger_stand *is,
+static int round_differs(char why[LEDGER_TOTALS_WHY_SIZE], const struct ledger_stand *is,
                          const struct ledger_stand *should)
 {
     return differs(why, "the catch of the open round", is->count, should->count) ||
@@ -134,24 +134,24 @@ static int round_differs(char why[BOOKS_WHY_SIZE], const struct ledger_stand *is
            differs(why, "the mode of the open round", is->detail, should->detail);
 }
 
-static int sums_differ(char why[BOOKS_WHY_SIZE], const struct books *books,
+static int sums_differ(char why[LEDGER_TOTALS_WHY_SIZE], const struct ledger_totals *totals,
                        const struct audits *audits)
 {
     char name[AUDIT_NAME_SIZE];
     const uint32_t *count = audits->count;
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
         audits_name(id, name);
-        if (differs(why, name, count[id], books->audits.count[id])) {
+        if (differs(why, name, count[id], totals->audits.count[id])) {
             return 1;
         }
     }
-    return differs(why, "coins", count[AUDIT_COINS_1], books->coins) ||
-           differs(why, "services", count[AUDIT_CREDITS_SERVICE], books->services) ||
-           differs(why, "refunds", count[AUDIT_REFUNDS], books->refunds) ||
-           differs(why, "fish", count[AUDIT_CAUGHT], books->caught);
+    return differs(why, "coins", count[AUDIT_COINS_1], totals->coins) ||
+           differs(why, "services", count[AUDIT_CREDITS_SERVICE], totals->services) ||
+           differs(why, "refunds", count[AUDIT_REFUNDS], totals->refunds) ||
+           differs(why, "fish", count[AUDIT_CAUGHT], totals->caught);
 }
 
-static int settings_differ(char why[BOOKS_WHY_SIZE], const struct settings *is,
+static int settings_differ(char why[LEDGER_TOTALS_WHY_SIZE], const struct settings *is,
                            const struct settings *should)
 {
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
@@ -162,21 +162,21 @@ static int settings_differ(char why[BOOKS_WHY_SIZE], const struct settings *is,
     return 0;
 }
 
-static int ranking_differs(char why[BOOKS_WHY_SIZE], const struct ranking *is,
+static int ranking_differs(char why[LEDGER_TOTALS_WHY_SIZE], const struct ranking *is,
                            const struct ranking *should)
 {
     if (field_hash(0, &ranking_fields, is) == field_hash(0, &ranking_fields, should)) {
         return 0;
     }
-    snprintf(why, BOOKS_WHY_SIZE, "the ranking is another one");
+    snprintf(why, LEDGER_TOTALS_WHY_SIZE, "the ranking is another one");
     return 1;
 }
 
-static int file_differs(char why[BOOKS_WHY_SIZE], const struct books_file *is,
-                        const struct books *should)
+static int file_differs(char why[LEDGER_TOTALS_WHY_SIZE], const struct ledger_totals_file *is,
+                        const struct ledger_totals *should)
 {
     if (strcmp(is->integrity, "ok") != 0) {
-        snprintf(why, BOOKS_WHY_SIZE, "integrity: %.60s", is->integrity);
+        snprintf(why, LEDGER_TOTALS_WHY_SIZE, "integrity: %.60s", is->integrity);
         return 1;
     }
     return differs(why, "rounds", is->rounds, should->rounds) ||
@@ -185,14 +185,14 @@ static int file_differs(char why[BOOKS_WHY_SIZE], const struct books_file *is,
            differs(why, "replays that are not their round's", is->bad_replays, 0);
 }
 
-int books_agree(const struct books *books, const struct persistent_state *memory,
-                const struct books_file *file, char why[BOOKS_WHY_SIZE])
+int ledger_totals_agree(const struct ledger_totals *totals, const struct persistent_state *memory,
+                        const struct ledger_totals_file *file, char why[LEDGER_TOTALS_WHY_SIZE])
 {
-    const int differ = balance_differs(why, &memory->ledger.balance, &books->balance) ||
-                       round_differs(why, &memory->ledger.stand, &books->stand) ||
-                       sums_differ(why, books, &memory->audits) ||
-                       settings_differ(why, &memory->settings, &books->settings) ||
-                       ranking_differs(why, &memory->ranking, &books->ranking) ||
-                       file_differs(why, file, books);
+    const int differ = balance_differs(why, &memory->ledger.balance, &totals->balance) ||
+                       round_differs(why, &memory->ledger.stand, &totals->stand) ||
+                       sums_differ(why, totals, &memory->audits) ||
+                       settings_differ(why, &memory->settings, &totals->settings) ||
+                       ranking_differs(why, &memory->ranking, &totals->ranking) ||
+                       file_differs(why, file, totals);
     return differ ? -1 : 0;
 }

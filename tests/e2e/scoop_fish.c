@@ -1,7 +1,7 @@
-/* hand.c -- makes one attempt to scoop a goldfish, as a player does: observes the fish, follows one
- * of them, scoops it and carries it to the bowl.
+/* scoop_fish.c -- makes one attempt to scoop a goldfish, as a player does: observes the fish,
+ * follows one of them, scoops it and carries it to the bowl.
  *
- * Usage: hand WINDOW. WINDOW is a window number, as xdotool prints it.
+ * Usage: scoop_fish WINDOW. WINDOW is a window number, as xdotool prints it.
  *
  * The program uses only the pictures of the window and the position of the bowl. The program moves
  * the X server's pointer as a mouse does, and prints its actions on standard output. Returns exit
@@ -275,7 +275,7 @@ int main(int argc, char **argv)
     int x, y, window_x, window_y;
     unsigned mask;
     if (argc != 2 || !eye_open(&eye, argv[1])) {
-        fprintf(stderr, "usage: hand WINDOW, with a DISPLAY\n");
+        fprintf(stderr, "usage: scoop_fish WINDOW, with a DISPLAY\n");
         return 2;
     }
     XQueryPointer(eye.display, eye.window, &root, &child, &x, &y, &window_x, &window_y, &mask);

@@ -1,18 +1,18 @@
-# judge.sh -- collects the results of a guest for a list of checks, and prints the table of
+# results.sh -- collects the results of a guest for a list of checks, and prints the table of
 # results. Source it after qemu.sh.
 # shellcheck shell=bash disable=SC2154,SC2034  # lib.sh sets these variables
 declare -A verdict words
 shots=$cache/shots
 
-judge() { # out means that this run does not try the check
+record_result() { # out means that this run does not try the check
     [ "${verdict[$2]-ok}" = ok ] || return 0 # A failed check stays failed.
     verdict[$2]=$1 words[$2]=${*:3}
 }
 
 passes() { # ID WORDS -- COMMAND...
-    local id=$1 said=$2
+    local id=$1 text=$2
     shift 3
-    if "$@"; then judge ok "$id" "$said"; else judge bad "$id" "$said"; fi
+    if "$@"; then record_result ok "$id" "$text"; else record_result bad "$id" "$text"; fi
 }
 
 # Prints the number of colours of a picture, and the shares of its pixels, in thousandths, that
@@ -29,7 +29,7 @@ shows_tank() { # COLOURS BLUE RED
     [ $# -eq 3 ] && [ "$1" -gt 800 ] && [ "$2" -gt 100 ] && [ "$3" -ge 3 ]
 }
 
-judge_tank() { # NAME of a picture, ID
+check_tank() { # NAME of a picture, ID
     local it
     read -ra it < <(picture "$1") || true
     passes "$2" "${it[0]-0} colours, ${it[1]-0} / 1000 blue, ${it[2]-0} / 1000 red" -- shows_tank "${it[@]}"
