@@ -79,12 +79,15 @@ until [ "$known" -eq "$(wc -l <"$work/headers")" ]; do
     known=$(wc -l <"$work/headers")
     includers h | sort -u -o "$work/headers" "$work/headers" -
 done
+# The build compiles one of the files gpio_lines0.c to 2.c, which fits the installed libgpiod.
+gpiod=$(pkg-config --modversion libgpiod 2>/dev/null)
+gpiod=${gpiod:-0} gpiod=${gpiod%%.*}
 lanes=4
 [[ $(${CC:-cc} -dumpmachine) = x86_64* ]] && lanes=8
 {
     awk '$2 ~ /\.c$/ { print $2 }' "$work/changed"
     includers c
-} | sort -u | awk -v lanes=$lanes '
+} | sort -u | grep -vE "/gpio_lines[^$gpiod]\.c$" | awk -v lanes=$lanes '
     NR == FNR { from[$2] = $1; next }
     {
         old = $1 in from ? from[$1] : $1
