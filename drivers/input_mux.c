@@ -37,8 +37,8 @@ void input_mux_assign(uint8_t slot[POI_MAX], const uint8_t *kind, uint32_t count
 {
     CORE_ASSERT(count <= INPUT_SOURCE_MAX && present >> count == 0);
     /* Selects at most POI_MAX available sources, best kinds first. Among sources of one kind,
-     * sources that already have a slot are selected first. The kind of the selected source number i
-     * becomes the kind of slot i. */
+     * sources that already have a slot are selected first. Slot i gets the kind of the i-th
+     * selected source. */
     const uint32_t assigned = assigned_sources(slot);
     uint32_t selected = 0, selected_count = 0;
     uint8_t wanted[POI_MAX];
@@ -53,7 +53,7 @@ void input_mux_assign(uint8_t slot[POI_MAX], const uint8_t *kind, uint32_t count
             }
         }
     }
-    /* A source stays in its slot if the slot keeps the kind. */
+    /* A source stays in its slot if the new kind of the slot is still the kind of the source. */
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint8_t source = slot[i];
         const bool stays =

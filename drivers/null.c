@@ -21,7 +21,7 @@ static const char *null_describe(void *self)
         return result;                                                                             \
     }
 #define ABSENT(name, parameters) RETURNS(int, name, HAL_ERR_ABSENT, parameters)
-/* Defines the function `name`, which sets `*out` to zero and returns HAL_ERR_ABSENT. */
+/* Defines the function `name`, which fills `*out` with zeros and returns HAL_ERR_ABSENT. */
 #define ABSENT_SAMPLE(name, type)                                                                  \
     static int name(void *self, struct type *out)                                                  \
     {                                                                                              \
@@ -58,7 +58,8 @@ RETURNS(const char *, null_name, "", (void *self, uint32_t row))
 RETURNS(bool, null_has_replay, false, (void *self, uint32_t round_id))
 RETURNS(bool, null_edits_failed, true, (void *self))
 RETURNS(bool, null_is_healthy, false, (void *self))
-/* A null storage never saved, refused or queued an entry. */
+/* The null storage uses this function for ids and counts. These are always 0, because the null
+ * storage never stores, refuses or queues an entry. */
 RETURNS(uint32_t, null_none, 0, (void *self))
 RETURNS(uint8_t, null_watches, WATCH_NONE, (void *self))
 RETURNS(uint64_t, null_now_ns, 0, (void *self))

@@ -23,10 +23,10 @@
 /* Limit of the rotation rate. Game pads measure at most 2,000 degrees/s (35 rad/s). Larger values
  * are noise. */
 #define RATE_MAX_RAD_S 40.0f
-#define STEP_MAX_S 0.25f /* Longest time over which a measured rotation rate is extrapolated. */
+#define STEP_MAX_S 0.25f /* Longest time for which the newest rotation rate is integrated. */
 
-/* Rotates `up` to `time_ns`, opposite to the rotation of the pad, because the upward direction is
- * fixed in the world. */
+/* Rotates `up` by the rotation of the pad from the last update until `time_ns`. In the axes of the
+ * pad, the upward direction rotates opposite to the pad. */
 static void turn_to(struct gamepad_imu_filter *tilt, uint64_t time_ns)
 {
     CORE_ASSERT(v3_is_finite(tilt->rate_rad_s));
@@ -170,7 +170,8 @@ static void move_sticks(struct gamepad_decoder *decoder)
 
 void gamepad_decoder_report(struct gamepad_decoder *decoder, const struct gamepad_report *report)
 {
-    /* Most buttons of a game pad act as OK in the menus. */
+    /* Cabinet button (enum input_button) of each button of a game pad. Most buttons of a game pad
+     * act as OK in the menus. */
     static const uint32_t cabinet[][2] = {
         { GAMEPAD_START, INPUT_START },
         { GAMEPAD_LEFT, INPUT_LEFT },

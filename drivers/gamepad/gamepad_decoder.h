@@ -38,7 +38,7 @@ struct gamepad_imu_filter {
     bool has_rest; /* True after the rest attitude `rest` was set. */
     /* Rest attitude: the attitude of the pad for which the ring is level. The yaw is 0. */
     struct angles rest;
-    /* Time of the attitude in `up`: all rotations of the pad before this time are included. */
+    /* Time up to which the rotations of the pad are included in `up`. */
     uint64_t turn_ns;
     uint64_t weigh_ns; /* Time of the newest acceleration. */
     uint64_t rest_ns;  /* Time of the last update of the rest attitude. */
@@ -127,9 +127,8 @@ struct gamepad_decoder {
     vec3 stick_twist;
     uint64_t time_ns;  /* Time of the newest report or sample. */
     bool trigger_down; /* True while a trigger of the game pad is pressed. */
-    /* `held` contains the buttons that are pressed now. `pressed` contains the buttons that were
-     * pressed after the last call of gamepad_decoder_buttons(). Both are bits of enum
-     * input_button. */
+    /* Bits of enum input_button. `held` contains the buttons that are pressed now. `pressed`
+     * contains the buttons that were pressed after the last call of gamepad_decoder_buttons(). */
     uint32_t held, pressed;
 };
 

@@ -68,8 +68,9 @@ static void pad_set_view(void *self, const struct view *view,
 {
     CORE_ASSERT(view);
     struct gamepad *pad = self;
-    (void)display_settings; /* Unused, because a stick moves relative to the water and not to the
-                               screen. */
+    /* `display_settings` is unused, because a stick moves the poi relative to the water and not to
+     * the screen. */
+    (void)display_settings;
     pad->gamepads->view = *view;
     stick_motion_set_view(&pad->track.decoder.fly, view);
     pad->track.decoder.fly.dip.scoops = scoops;

@@ -104,8 +104,8 @@ bool gamepads_is_excluded(const struct gamepads *gamepads, const struct usb_key 
     return false;
 }
 
-/* Opens a new game pad. If all GAMEPADS_MAX elements are in use, the pad is ignored until it is
- * plugged in again. */
+/* Opens a game pad that was plugged in. If all GAMEPADS_MAX elements of `pad` are in use, the game
+ * pad is ignored until it is plugged in again. */
 static void plug_in(struct gamepads *gamepads, int32_t device_index)
 {
     CORE_ASSERT(gamepads->is_open);
@@ -167,7 +167,8 @@ static void gamepads_take_event(struct gamepads *gamepads, const SDL_Event *even
         pull_out(pad_of(gamepads, event->cdevice.which));
         return;
     }
-    /* The instance id of the pad is at the same offset in every controller event of SDL. */
+    /* Every controller event of SDL has the instance id of the pad at the same offset, so `cdevice`
+     * can be read for all of them. */
     struct gamepad *pad = pad_of(gamepads, event->cdevice.which);
     bool is_new = false;
     if (!pad) {

@@ -22,8 +22,8 @@
 #define SEEN 0.94f
 #define VIEW_ASPECT (16.0f / 9.0f)
 
-/* Distance from the hover height at which the ring slows down while the LEVEL button returns the
- * ring to this height. */
+/* The LEVEL button returns the ring to the hover height. Within this distance from the hover
+ * height, the ring slows down. */
 #define LEVEL_FROM_M 0.03f
 
 #define FAN_REST_M 0.35f /* Distance beyond the tank's near edge at which the idle fan rests. */

@@ -66,8 +66,8 @@ static void acquire_line(struct gpio_backend *backend, const struct gpio_wire *w
     }
     int fd = ops->request(role, wire, has_edges, consumer);
     if (fd < 0 && has_edges && (errno == ENODEV || errno == ENXIO)) {
-        /* The kernel's gpiod_to_irq() returns one of these errors if a line has no interrupt. Such
-         * a line is polled. */
+        /* The error means that the line has no interrupt (the kernel's gpiod_to_irq() failed). The
+         * line is therefore requested without edge detection and polled. */
         has_edges = false;
         fd = ops->request(role, wire, has_edges, consumer);
     }
@@ -187,14 +187,17 @@ static int backend_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_
     CORE_ASSERT(out && max > 0 && timeout_ms <= INT32_MAX);
     const uint32_t longest_ms = backend->polled && timeout_ms > POLL_MS ? POLL_MS : timeout_ms;
     for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
-        /* poll() ignores the descriptor -1. */
+        /* poll() ignores elements whose descriptor is -1. */
         polled[i] = (struct pollfd){ .fd = backend->fds[i], .events = POLLIN };
     }
     if (poll(polled, GPIO_INPUT_COUNT, backend->went ? 0 : (int)longest_ms) < 0) {
-        if (errno != EINTR) { /* The pause keeps the caller's loop from running without a wait. */
+        /* Waits for the timeout in place of the failed poll(), so that the caller's loop does not
+         * run without a pause. */
+        if (errno != EINTR) {
             poll(NULL, 0, (int)longest_ms);
         }
-        /* No descriptor counts as readable, because poll() has set no `revents`. */
+        /* The failed poll() has not set `revents`. With all `revents` 0, no descriptor counts as
+         * readable. */
         memset(polled, 0, sizeof polled);
     }
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {

@@ -88,12 +88,14 @@ struct gpio_backend_ops {
 struct gpio_backend {
     const struct gpio_backend_ops *ops;
     uint32_t held;      /* Requested lines, one bit for each role. */
-    uint32_t debounced; /* Held lines that the kernel debounces, one bit for each role. */
-    uint32_t polled;    /* Held inputs without edge detection, one bit for each role. */
-    uint32_t active;    /* Last level of each polled line, one bit for each role. */
+    uint32_t debounced; /* Requested lines that the kernel debounces, one bit for each role. */
+    uint32_t polled;    /* Requested inputs without edge detection, one bit for each role. */
+    /* Newest level of each polled line, one bit for each role. 1 means active. */
+    uint32_t active;
     /* File descriptors of the edge events. -1 means that the line has no edge detection. */
     int fds[GPIO_INPUT_COUNT];
-    bool went; /* True if a chip was removed and wait() has not reported the removal yet. */
+    /* True if a chip was removed and gpio_lines_ops.wait() has not reported the removal yet. */
+    bool went;
     char text[HAL_TEXT_SIZE];
 };
 

@@ -21,7 +21,7 @@
 #define PULSE_ON_US 100000u
 #define PULSE_OFF_US 100000u
 
-/* Name and default debounce time of each role. */
+/* Name of each role, and the role's default debounce time in us. */
 static const struct {
     const char *name;
     uint32_t debounce_us;
@@ -34,12 +34,14 @@ static const struct {
     /* TEST and SERVICE are rarely used, so a slow response is better than an accidental press. */
     [GPIO_TEST] = { "test", 20000 },
     [GPIO_SERVICE] = { "service", 20000 },
-    [GPIO_TILT] = { "tilt", 2000 }, /* A tilt pendulum touches its ring for only a few
-                                       milliseconds. */
+    /* The debounce time is short, because a tilt pendulum touches its ring for only a few
+     * milliseconds. */
+    [GPIO_TILT] = { "tilt", 2000 },
     [GPIO_COIN] = { "coin", COIN_DEBOUNCE_US },
     [GPIO_COIN2] = { "coin2", COIN_DEBOUNCE_US },
     [GPIO_COIN3] = { "coin3", COIN_DEBOUNCE_US },
-    [GPIO_DOOR] = { "door", 50000 }, /* A door switch bounces for longer than a button. */
+    /* The debounce time is long, because a door switch bounces for longer than a button. */
+    [GPIO_DOOR] = { "door", 50000 },
     [GPIO_START_LAMP] = { "start-lamp", 0 },
     [GPIO_COIN_LOCKOUT] = { "coin-lockout", 0 },
     [GPIO_TICKET] = { "ticket", 0 },
@@ -134,8 +136,8 @@ static const char *parse_time(const char *word, char end, uint32_t *out_us)
 
 /* ---- Parsing of one wire -------------------------------------------------------------------- */
 
-/* Parses LINE: CHIP:OFFSET if only digits follow the last colon, otherwise a line name. Returns
- * false if the text is empty or too long. */
+/* Parses a line: CHIP:OFFSET if only digits follow the last colon, otherwise the name of a line.
+ * Returns false if the text is empty or too long. */
 static bool reads_line(char *word, struct gpio_wire *wire)
 {
     CORE_ASSERT(wire->offset == 0);
@@ -177,8 +179,8 @@ static bool reads_level_or_bias(const char *word, struct gpio_wire *wire, bool *
     return false;
 }
 
-/* Parses debounce=, window= or pulse=. Returns false if the time is invalid or the word does not
- * suit the role. */
+/* Parses one of the options debounce=, window= and pulse=. Returns false if the time is invalid or
+ * the role does not have the option. */
 static bool reads_timing(const char *word, enum gpio_role role, struct gpio_wire *wire)
 {
     CORE_ASSERT(role < GPIO_ROLE_COUNT);
@@ -253,8 +255,9 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
             return refuse_word(word, role, why);
         }
     }
-    if (!has_bias) { /* The default bias sets a button whose wire is disconnected to "released", and
-                        a disconnected coin lock to "locked". */
+    /* With the default bias, a button whose wire is disconnected reads as released, and a coin lock
+     * whose wire is disconnected stays locked. */
+    if (!has_bias) {
         const bool is_up = gpio_role_is_input(role) == wire.active_low;
         wire.bias = is_up ? GPIO_BIAS_UP : GPIO_BIAS_DOWN;
     }

@@ -95,8 +95,8 @@ struct gpio_wire {
 struct gpio_edge {
     uint64_t time_ns; /* Time of the interrupt on CLOCK_MONOTONIC. */
     uint8_t role;     /* Role of the line (enum gpio_role). */
-    /* True if the level after the edge is active (see active_low). The kernel reads the level some
-     * time after the interrupt, so the level can be wrong. */
+    /* True if the level after the edge is active (see `active_low` of struct gpio_wire). The kernel
+     * reads the level some time after the interrupt, so the level can be wrong. */
     bool active;
     /* Number of edges of the line that the kernel dropped directly before this edge, because its
      * queue was full. */
@@ -130,10 +130,9 @@ struct gpio_lines_ops {
                 char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE]);
     /* Waits at most `timeout_ms` for edges, even if no line is held. Returns the number of edges,
      * ordered by time for each line. A return value of `max` means that more edges may be pending.
-     * If the system call that waits for edges fails, returns no edges after `timeout_ms`. level()
-     * then still reads the lines.
-     * Returns HAL_ERR_GONE after a chip was removed. The lines of the removed chip are then closed,
-     * and all other lines remain held. */
+     * If the system call that waits for edges fails, returns no edges after `timeout_ms`. The
+     * caller can still read the lines with level(). Returns HAL_ERR_GONE after a chip was removed.
+     * The lines of the removed chip are then closed, and all other lines remain held. */
     int (*wait)(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms);
     /* Returns the level of the line: 1 means active, 0 means inactive (see active_low). Returns
      * HAL_ERR_GONE if the line is not held. */

@@ -39,7 +39,7 @@ bool gpio_debounce_edge(struct debounce *debounce, uint64_t time_ns, bool active
         debounce->raw = active;
         debounce->since_ns = time_ns;
     }
-    /* Completes the transition immediately if the period is 0. */
+    /* If the debounce period is 0, the transition to `active` completes immediately. */
     return turned || gpio_debounce_settle(debounce, time_ns, out);
 }
 
@@ -65,7 +65,8 @@ struct gpio_edge_filter gpio_edge_filter_begin(uint64_t debounce_ns, bool active
 /* Returns true while the level that was polled last differs from the level after the last edge. */
 static bool is_doubted(const struct gpio_poll_edges *other)
 {
-    /* The recorded polls have either both a first and a last time, or neither. */
+    /* The times of the first poll (`since_ns`) and of the last poll (`last_ns`) are either both set
+     * or both NEVER. */
     CORE_ASSERT((other->since_ns == NEVER) == (other->last_ns == NEVER));
     CORE_ASSERT(other->back_ns == NEVER || other->since_ns != NEVER);
     return other->since_ns != NEVER && other->back_ns == NEVER;
@@ -78,9 +79,8 @@ static bool is_proof(const struct gpio_poll_edges *other)
     return other->since_ns != NEVER && other->last_ns - other->since_ns >= GPIO_PROOF_NS;
 }
 
-/* Discards the recorded polls. Counts one lost edge if the polls proved a level that has already
- * ended and `is_explained` is false. `is_explained` is true if a late edge event explains this
- * level. */
+/* Discards the recorded polls. If the polls prove that the line changed and has already changed
+ * back, one edge counts as lost, unless a late edge event explains the change (`is_explained`). */
 static void end_looks(struct gpio_edge_filter *input, bool is_explained)
 {
     const struct gpio_poll_edges *other = &input->other;
@@ -90,8 +90,8 @@ static void end_looks(struct gpio_edge_filter *input, bool is_explained)
 
 /* ---- Edge filter: edges ---------------------------------------------------------------------- */
 
-/* Applies an edge event that arrived late. The event's direction is replaced by the level that was
- * polled after the edge. */
+/* Applies an edge event that arrived after the change of level was polled. The direction of the
+ * event is ignored, because the polled level is more reliable. */
 static bool take_late(struct gpio_edge_filter *input, uint64_t time_ns,
                       struct debounce_edge_time *out)
 {
@@ -109,8 +109,8 @@ static bool take_late(struct gpio_edge_filter *input, uint64_t time_ns,
     return turned || back_ns == NEVER ? turned : gpio_debounce_edge(debounce, back_ns, before, out);
 }
 
-/* Processes a null edge (an event without a change of the level). The line changed and changed
- * back, so the debounce period starts again. */
+/* Processes a null edge (an edge event without a change of the level). A null edge means that the
+ * line changed and changed back, so the debounce period starts again. */
 static bool take_blink(struct gpio_edge_filter *input, const struct gpio_edge *edge,
                        struct debounce_edge_time *out)
 {
@@ -133,8 +133,8 @@ static bool take_blink(struct gpio_edge_filter *input, const struct gpio_edge *e
     input->reported_ns = edge->taken_ns;
     struct debounce_edge_time none;
     const bool turned = gpio_debounce_edge(debounce, edge->time_ns, !active, out);
-    /* The second edge has the time of the first edge, so no transition can complete between the
-     * two. */
+    /* A null edge is processed as two edges with the same time, so no transition can complete
+     * between them. */
     gpio_debounce_edge(debounce, edge->time_ns, active, &none);
     return turned;
 }
@@ -147,8 +147,8 @@ bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edg
     CORE_ASSERT(input->believed_ns != NEVER);
     input->lost += edge->lost_before;
     if (edge->time_ns <= input->believed_ns) {
-        /* An accepted polled level already includes every edge up to `believed_ns`. Therefore the
-         * edge is ignored. */
+        /* A polled level that was accepted in place of edge events already includes every edge up
+         * to `believed_ns`. Therefore this edge is ignored. */
         return false;
     }
     if (edge->lost_before == 0 && is_proof(other) && edge->time_ns <= other->since_ns &&
@@ -274,8 +274,9 @@ void gpio_coin_edge(struct coin_mech *mech, uint64_t time_ns, bool active)
         mech->begin_ns = time_ns;
     }
     if (active) {
-        mech->state = COIN_FALLS; /* The previous pulse continues if its end is less than
-                                     COIN_GAP_NS ago. */
+        /* A pulse that begins less than COIN_GAP_NS after the end of the previous pulse continues
+         * the previous pulse. */
+        mech->state = COIN_FALLS;
     } else if (mech->state == COIN_FALLS) {
         mech->state = COIN_FELL;
         mech->end_ns = time_ns;

@@ -8,7 +8,7 @@
 
 /* Interval at which the levels of all input lines are read, in addition to edge events. */
 #define WATCH_NS 100000000u
-/* Pause after which a pulse's change of level is tried again if the line did not switch. */
+/* If the line of an output does not switch, the change of level is tried again after this time. */
 #define SET_RETRY_NS 20000000u
 
 /* ---- Results, which the frame loop reads ---------------------------------------------------- */
@@ -182,7 +182,8 @@ static void settle_inputs(struct gpio_thread *reader, uint32_t touched)
 }
 
 /* Sets the level of an output. Returns true if the line switched. A line that does not switch
- * counts as one fault until it switches again. The log and describe() name such a line. */
+ * counts as one fault, however often it fails before it switches again. The log and describe() name
+ * such a line. */
 static bool switch_line(struct gpio_thread *reader, enum gpio_role role, bool active)
 {
     const uint32_t bit = gpio_role_bit(role);
@@ -206,8 +207,9 @@ static bool switch_line(struct gpio_thread *reader, enum gpio_role role, bool ac
     return false;
 }
 
-/* Sets the current level of an output. A pulse begins or ends only when the line has switched.
- * Otherwise the pulse is kept and the change of level is tried again after SET_RETRY_NS. */
+/* Sets the current level of an output. A pulse begins or ends only when the line has switched. If
+ * the line does not switch, the pulse is kept, and the change of level is tried again after
+ * SET_RETRY_NS. */
 static void drive_output(struct gpio_thread *reader, enum gpio_role role)
 {
     CORE_ASSERT(role >= GPIO_INPUT_COUNT && role < GPIO_ROLE_COUNT);

@@ -51,8 +51,8 @@ bool gpio_debounce_edge(struct debounce *debounce, uint64_t time_ns, bool active
 bool gpio_debounce_settle(struct debounce *debounce, uint64_t now_ns,
                           struct debounce_edge_time *out);
 
-/* Returns the time at which gpio_debounce_settle() must be called, or UINT64_MAX if the state
- * cannot change without an edge. */
+/* Returns the time at which gpio_debounce_settle() must be called, or UINT64_MAX if only the next
+ * edge of the line can change the state. */
 uint64_t gpio_debounce_due_ns(const struct debounce *debounce);
 
 /* ---- Edge filter ------------------------------------------------------------------------------
@@ -83,12 +83,13 @@ uint64_t gpio_debounce_due_ns(const struct debounce *debounce);
  * The time is longer than a glitch and shorter than GPIO_COIN_POLL_NS. */
 #define GPIO_PROOF_NS 4000000u
 /* Longest time from the arrival of one null edge (an edge event without a change of the level) to
- * the time stamp of the next null edge. If the time is longer, the two null edges cannot belong to
- * one pulse. */
+ * the time stamp of the next null edge of the same pulse. Null edges with a longer pause between
+ * them cannot belong to one pulse. */
 #define GPIO_PAIR_NS 2000000u
 
-/* Times of consecutive polls that read another level than the level after the last edge. Each time
- * is taken just before the poll. UINT64_MAX means that there was no poll. */
+/* Times of consecutive polls that read a level other than the level after the last edge. Such polls
+ * show that an edge was missed. Each time is taken just before the poll. UINT64_MAX means that
+ * there was no such poll. */
 struct gpio_poll_edges {
     /* Times of the first (`since_ns`) and of the last poll (`last_ns`) that did not read the level
      * after the last edge. */
@@ -108,7 +109,7 @@ struct gpio_edge_filter {
     /* Time of the newest polled level that the filter accepted in place of edge events. Edge events
      * with time stamps up to this time are ignored. */
     uint64_t believed_ns;
-    /* Polls that read a level that differs from the level after the last edge. */
+    /* Times of the polls that read a level other than the level after the last edge. */
     struct gpio_poll_edges other;
     /* Number of null edges (edge events without a change of the level) since
      * gpio_edge_filter_begin(). */
@@ -137,8 +138,8 @@ bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edg
 bool gpio_edge_filter_level(struct gpio_edge_filter *input, uint64_t now_ns, bool active,
                             struct debounce_edge_time *out);
 
-/* Returns the time at which the level should be read next, or UINT64_MAX if there is no
- * deadline. */
+/* Returns the time at which the level of the line should be polled next, or UINT64_MAX if no poll
+ * is needed. */
 uint64_t gpio_edge_filter_due_ns(const struct gpio_edge_filter *input);
 
 /* Returns the time before which all transitions of the line are known. A level that is still being
@@ -204,8 +205,8 @@ void gpio_coin_settle(struct coin_mech *mech, uint64_t now_ns);
  * is counted in `cut`. */
 void gpio_coin_lose(struct coin_mech *mech);
 
-/* Returns the time at which gpio_coin_settle() must be called, or UINT64_MAX if the state cannot
- * change without a transition. */
+/* Returns the time at which gpio_coin_settle() must be called, or UINT64_MAX if only the next edge
+ * of the line can change the state. */
 uint64_t gpio_coin_due_ns(const struct coin_mech *mech);
 
 /* Returns the sum of all fault counts. */
@@ -348,7 +349,7 @@ struct hal_buttons gpio_thread_buttons(struct gpio_thread *reader);
  * not wired. Lamps and locks change within GPIO_WAIT_MS_MAX. */
 struct hal_switches gpio_thread_switches(struct gpio_thread *reader);
 
-/* Copies the reason why the line of `role` is missing or does not switch to `out`. Writes "" if the
+/* Copies to `out` the reason why the line of `role` is missing or does not switch. Writes "" if the
  * line works or is not wired. */
 void gpio_thread_why(struct gpio_thread *reader, enum gpio_role role, char out[HAL_TEXT_SIZE]);
 

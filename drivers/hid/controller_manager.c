@@ -39,7 +39,8 @@ static void fail_learning(struct controller_manager *manager)
     manager->learn.step = LEARN_FAILED;
 }
 
-/* Selects the controller of `row` to play, or releases it. Returns the result of choose(). */
+/* Selects the controller of `row` to play, or releases it if `plays` is false. Returns the result
+ * of the device list's function choose() (hid_device_list.h). */
 static int choose_row(struct controller_manager *manager, uint32_t row, bool plays)
 {
     return manager->device_list.ops->choose(manager->device_list.self, row, plays);
@@ -200,8 +201,9 @@ static int controller_manager_release(struct controller_manager *manager, uint32
     if (manager->learn.step != LEARN_NONE && manager->learn_row == row) {
         stop_learning(manager, NULL);
         manager->releases_at_end =
-            false; /* A release of the previously learned controller is not needed, because this
-                      function releases the row below. */
+            /* release_learned_controller() need not release this row later, because choose_row()
+             * releases it below. */
+            false;
     }
     if (manager->row[row].state != CONTROLLER_NONE) {
         manager->forget_identity = manager->row[row].identity;

@@ -10,9 +10,9 @@
 #define AWAKE_WITHIN 0.3f /* Deflection below which a stick counts as released. */
 #define HAT_DIRECTIONS 8
 
-/* Returns the deflection of a stick, -1 to 1. `way` is 0 at the `rest` value of the binding and 1
- * at its `full` value. The deflection is 0 within the dead zone, and rises linearly to 1 outside
- * the dead zone. */
+/* Returns the deflection of a stick, -1 to 1. `way` is the position of the stick: 0 at the `rest`
+ * value of the binding and 1 at its `full` value. The deflection is 0 within the dead zone, and
+ * rises linearly to 1 outside the dead zone. */
 static float stick_of(const struct hid_binding *binding, float way)
 {
     const bool is_rate = binding->manner == HID_BINDING_RATE;

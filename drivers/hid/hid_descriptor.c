@@ -26,9 +26,13 @@ struct reader {
                              start. */
     hid_usage usage_min;
     bool has_usage_min;
-    bool in_delimiter; /* True between the Delimiter items of a set. */
+    /* True while the parser is between the opening and the closing Delimiter item of a set of
+     * alternative usages. */
+    bool in_delimiter;
     uint8_t
-        alternatives; /* Number of usages in the set. Only the first usage of the set is used. */
+        /* Number of alternative usages between the Delimiter items. Only the first usage is
+         * used. */
+        alternatives;
 };
 
 /* ---- Usages (Local items) ------------------------------------------------------------------- */

@@ -45,8 +45,8 @@ static bool is_own(const struct hid_descriptor *descriptor)
     return true;
 }
 
-/* Bindings of reports with the report id 1, which all of these controllers have. Offsets and sizes
- * are in bits. */
+/* Macros for bindings to fields of the report with the id 1. Kingyo's poi controller and all known
+ * controllers send their axes and buttons in this report. Offsets and sizes are in bits. */
 _Static_assert(POI_REPORT_ID == 1u, "the poi has the report id of the other controllers");
 /* clang-format off */
 #define BIND(role_, manner_, bit, size, rest_, full_, dead_)                                       \
@@ -87,7 +87,8 @@ static const struct hid_mapping own_mapping = {
 
 static const struct known {
     uint16_t vendor, product;
-    uint32_t hat_bit, trigger_bit; /* Positions of the hat and of the right trigger. */
+    /* Bit offsets of the hat and of the right trigger, counted from the end of the report id. */
+    uint32_t hat_bit, trigger_bit;
 } knowns[] = {
     { SONY, 0x05c4, 32, 64 }, /* DualShock 4 */
     { SONY, 0x09cc, 32, 64 }, /* DualShock 4, second edition */

@@ -7,7 +7,9 @@
 
 #include "core/base/panic.h"
 
-#define AXIS_STEPS_MIN 14 /* Smallest logical range of an axis, larger than that of a hat. */
+/* Smallest logical range with which a field counts as an axis. The limit is above the range of a
+ * hat. */
+#define AXIS_STEPS_MIN 14
 /* Divisor of the dead zone of a stick. The dead zone is half the range of the stick divided by this
  * number. A released stick stops within its dead zone. */
 #define DEAD_SHARE_STICK 12
@@ -145,8 +147,8 @@ struct surface {
     bool relative;
 };
 
-/* Finds the usage in the surface's application collection. Reports other than the surface's report
- * are searched too unless `report_only` is true. */
+/* Finds the usage `usage` in the surface's application collection. Reports other than the surface's
+ * report are searched too unless `report_only` is true. */
 static struct hid_field_location find_on(const struct surface *on, hid_usage usage,
                                          bool report_only)
 {

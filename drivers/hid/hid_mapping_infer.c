@@ -11,8 +11,8 @@
 #define WAY_MIN 0.12f
 /* Smallest travel of the control that dips the poi, as a fraction of the field's range. */
 #define PRESS_MIN 0.30f
-/* Travel of a field at which a learning step counts as clearly demonstrated, as a fraction of the
- * field's range. */
+/* A learning step counts as clearly demonstrated if a field travels at least this fraction of its
+ * range. */
 #define CLEAR_WAY 0.4f
 /* Weight of the motion of a vendor-defined field. With this weight, a vendor-defined field must
  * move twice as far as a standard field to be selected. */

@@ -59,7 +59,8 @@ static void report_complaint(struct complaints *to, const char *path, int line, 
 
 /* ---- Reading of the files ------------------------------------------------------------------- */
 
-/* Returns the index of the entry with this key, or store->count if there is none. */
+/* Returns the index of the entry with this vendor, product and serial number, or store->count if
+ * there is none. */
 static uint32_t find_entry(const struct hid_mapping_store *store, uint16_t vendor, uint16_t product,
                            const char *serial)
 {

@@ -98,20 +98,20 @@ int hid_port_open(struct hid_port *port, struct hid_device_info *out)
     triple_buffer_fetch(&port->newest);
     const struct hid_attachment *attachment = &port->attachment[port->newest.reading];
     if (!(generation & 1u) || attachment->generation != generation) {
-        return HAL_ERR_GONE; /* No controller is attached, or the attached controller changed during
-                                the call. */
+        /* Opening fails, because no controller is attached, or because another controller was
+         * attached during the call. */
+        return HAL_ERR_GONE;
     }
     *out = attachment->face;
     port->opened = generation;
     return HAL_OK;
 }
 
-/* Returns the oldest report, or null if there is no report. Selects the older of two reports: the
- * first report in the queue, and the report in `late`.
- *
- * The queue is read before `late`, so that a late report that was posted before a queued report
- * is found. After a new late report was fetched the queue is read again, because all reports that
- * are older than the late report are in the queue by then. */
+/* Returns the oldest report, or null if there is no report. The oldest report is either the first
+ * report in the queue or the report in `late`. The queue is read before `late`. A report in `late`
+ * that is older than the first queued report is then always found. After a new late report was
+ * fetched, the queue is read again, because all reports that are older than the late report are in
+ * the queue by then. */
 static const struct hid_port_report *oldest_report(struct hid_port *port)
 {
     const uint32_t taken = atomic_load_explicit(&port->taken, memory_order_relaxed);

@@ -158,8 +158,8 @@ static void poi_hid_set_view(void *self, const struct view *view,
                              const struct display_settings *display_settings, bool scoops)
 {
     struct poi_hid *poi = self;
-    (void)display_settings; /* Unused, because the pose refers to the water and not to the
-                               screen. */
+    /* `display_settings` is unused, because the pose refers to the water and not to the screen. */
+    (void)display_settings;
     poi->view = *view;
     hid_pose_decoder_set_view(&poi->decoder, view);
     poi->decoder.pointer.dip.scoops = poi->decoder.fly.dip.scoops = scoops;

@@ -118,8 +118,8 @@ struct poi_hid {
     struct hid_port *port;
     struct hal_clock clock;
     struct hid_mapper mapper;
-    /* Callback for further reports. If `watch.report` is null, no callback is called. The owner may
-     * change the field between two polls. */
+    /* Callback that receives a copy of each report from now on. If `watch.report` is null, no
+     * callback is called. The owner may change this field between two polls. */
     struct hid_watch watch;
     struct view view;
     struct hid_device_info face; /* Identity and descriptor of the attached controller. */

@@ -214,7 +214,7 @@ static int mouse_poi_poll(void *self, struct poi_sample *out, uint32_t max)
     uint32_t count = take_events(mouse, SDL_FINGERDOWN, SDL_FINGERMOTION, now_ns, out, max);
     count += take_events(mouse, SDL_MOUSEMOTION, SDL_MOUSEWHEEL, now_ns, out + count, max - count);
     mouse->last_poll_ns = now_ns;
-    /* The state of key F applies from `now_ns` on, because the order of the key press and the mouse
+    /* The state of key F takes effect at `now_ns`, because the order of the key press and the mouse
      * events is not known. */
     const uint32_t fan = mouse->fan_key ? (uint32_t)POINTER_FAN : 0u;
     if ((mouse->report.buttons & POINTER_FAN) != fan) {
@@ -260,8 +260,8 @@ static const char *mouse_poi_describe(void *self)
 static int mouse_poi_fan_open(void *self)
 {
     (void)self;
-    /* Only SDL's video subsystem is checked, because open() of the poi device has initialized
-     * everything else. */
+    /* Checking SDL's video subsystem is enough, because open() of the poi device has initialized
+     * everything else that the fan needs. */
     return SDL_WasInit(SDL_INIT_VIDEO) ? HAL_OK : HAL_ERR_ABSENT;
 }
 

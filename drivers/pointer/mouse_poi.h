@@ -23,16 +23,19 @@ enum pointer_filter {
 struct mouse_poi {
     struct hal_clock clock;
     struct pointer_poi pointer;
-    struct pointer_aid aid; /* The caller may set its options after mouse_poi_init(). */
+    /* Adaptation of the pointer to the player. The caller may set its options after
+     * mouse_poi_init(). */
+    struct pointer_aid aid;
     bool fan_key;           /* True while the F key is pressed. */
     uint8_t enabled;        /* Enabled devices, as bits of enum pointer_filter. */
     uint32_t mouse_buttons; /* Pressed mouse buttons, as bits of enum pointer_button. */
     struct touch_fingers fingers;
-    uint64_t used_ns; /* Time of the last use by a person. 0 means never. */
-    float crept_px;   /* Distance that the mouse has moved after `used_ns`, in pixels. */
+    /* Time at which a person last used the mouse or touch screen. 0 means never. */
+    uint64_t used_ns;
+    float crept_px; /* Distance that the mouse has moved after `used_ns`, in pixels. */
     /* Image geometry from set_view(). If all fields are 0, the image fills the window. */
     struct display_settings display_settings;
-    /* Last state of the pointer. The wheel motion is reset to 0 for each event. */
+    /* Newest state of the pointer. `wheel_notches` contains only the motion of the newest event. */
     struct pointer_report report;
     uint64_t last_poll_ns; /* Time of the last poll. */
     char text[HAL_TEXT_SIZE];
@@ -47,7 +50,7 @@ void mouse_poi_init(struct mouse_poi *mouse, struct hal_clock clock, const struc
  * pressed. The button device reports START while three fingers touch the screen. */
 struct hal_controller_devices mouse_poi_devices(struct mouse_poi *mouse);
 
-/* Time after the last use of the mouse at which mouse_poi_is_used() starts to return 0. */
+/* If no person uses the mouse for this time, mouse_poi_is_used() returns false. */
 #define POINTER_USED_NS 120000000000ull
 /* Returns true if a person moved, pressed or touched the device within POINTER_USED_NS. The motion
  * event of a window that opens under the pointer does not count. `mouse` is a struct mouse_poi. */

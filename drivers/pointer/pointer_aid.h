@@ -6,7 +6,7 @@
 
 #include "drivers/pointer/pointer_poi.h"
 
-/* Smallest reach: two fifths of the height of the picture. */
+/* Smallest value of `reach_percent` other than 0, in per cent of the height of the picture. */
 #define POINTER_REACH_MIN_PERCENT 40u
 
 struct pointer_aid {
@@ -19,10 +19,12 @@ struct pointer_aid {
     bool is_down;    /* True if the ring is lowered because of a press. */
 };
 
-/* Adapts `report`, which has image coordinates (pointer_report_on()). `scoops` is false on pages
- * with buttons, where a press acts as long as it lasts and lifts a ring that is still lowered. */
+/* Adapts `report`, which has image coordinates (pointer_report_on()). `scoops` is true in a round
+ * and false on a page with buttons. On a page, a press acts as long as it lasts. A ring that is
+ * still lowered is then raised. */
 void pointer_aid_apply(struct pointer_aid *aid, bool scoops, struct pointer_report *report);
 
-/* Raises the ring until the button is pressed again. Must be called when a page with buttons opens
- * or closes. Otherwise the press on a tag of the page would also lower the ring in the round. */
+/* Raises the ring until the dip button is pressed again. Must be called when a page with buttons
+ * opens or closes. Otherwise a press on a button of the page would also lower the ring in the
+ * round. */
 void pointer_aid_raise(struct pointer_aid *aid);

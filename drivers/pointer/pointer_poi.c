@@ -9,8 +9,8 @@
 
 /* Initial acceleration of a downward stroke from the hover height, so that the first frames after
  * the click show motion. The value is about twice that of the stroke with the least jerk (2.8
- * m/s^2). A stroke that starts lower has a smaller added acceleration, and a stroke that starts
- * under water has none, because the acceleration would press on the paper. */
+ * m/s^2). A stroke that starts lower has a smaller initial acceleration. A stroke that starts under
+ * water has none, because the acceleration would press the paper against the water. */
 #define START_M_S2 (-6.0f)
 
 void pointer_dip_init(struct dip *dip)
@@ -51,7 +51,7 @@ static struct dip stroke_at(const struct dip *dip, uint64_t time_ns)
     };
 }
 
-/* Returns the distance by which the ring is nearer to the player than the pointer, at the fraction
+/* Returns how much nearer to the player the ring is than the pointer, in metres, at the fraction
  * `s` of the stroke. The distance and its rate of change are 0 at both ends of the stroke. */
 static float near_m(const struct dip *dip, float s)
 {
@@ -60,8 +60,9 @@ static float near_m(const struct dip *dip, float s)
                                               : 1.0f - f_smoothstep(DIP_NEAR_AT, 1.0f, s));
 }
 
-/* Evaluates the quintic polynomial. The polynomial starts with the height, velocity and
- * acceleration in the stroke, and ends at rest at `to_m`. */
+/* Returns the ring's height and velocity at `time_ns` from a quintic polynomial. The polynomial
+ * starts with the height, velocity and acceleration that `dip` stores, and ends at rest at the
+ * height `to_m`. */
 struct dip_state pointer_dip_at(const struct dip *dip, uint64_t time_ns)
 {
     const struct dip stroke = stroke_at(dip, time_ns);
@@ -201,8 +202,8 @@ struct pointer_report pointer_report_on(const struct pointer_report *report,
     return on;
 }
 
-/* Writes the position of the pointer in the window to `x` and `y`. The range is -1 to 1, to the
- * right and upward. */
+/* Converts the pointer's position to normalized coordinates: `x` is -1 at the left edge of the
+ * window and 1 at the right edge, `y` is -1 at the bottom and 1 at the top. */
 static void window_position(const struct pointer_report *report, float *x, float *y)
 {
     CORE_ASSERT(report->width_px > 0 && report->height_px > 0);
@@ -250,12 +251,13 @@ bool pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report
     const float at_x = pointer->ndc_x + left * pointer->lag_x;
     const float at_y = pointer->ndc_y + left * pointer->lag_y;
     if (changed & report->buttons & POINTER_FAN) {
-        /* The fan was taken. The poi stops at its current position. */
+        /* The player has just pressed FAN. The poi stops at its current position. */
         pointer->ndc_x = at_x;
         pointer->ndc_y = at_y;
         pointer->back_s = 0.0f;
     } else if (changed & POINTER_FAN) {
-        /* The fan was released. The poi starts to return from its position to the pointer. */
+        /* The player has just released FAN. The poi starts to return from its position to the
+         * pointer. */
         pointer->lag_x = at_x - x;
         pointer->lag_y = at_y - y;
         pointer->back_done_s = 0.0f;

@@ -58,12 +58,14 @@ static inline float pointer_seconds_between(uint64_t from_ns, uint64_t to_ns)
 #define DIP_UP_S 0.46f
 
 /* Largest slant of the ring during a downward stroke, and the vertical speed at which the slant is
- * largest. The ring reaches this speed in the first two frames and is faster until it is near the
- * end of the stroke. With this slant the paper meets the water at 0.23 m/s along its normal. A
- * level ring would meet the water at 0.35 m/s. */
+ * largest. The ring reaches this speed within the first two frames of the stroke and is faster
+ * until shortly before the end of the stroke. With this slant the paper meets the water at 0.23 m/s
+ * along its normal. A level ring would meet the water at 0.35 m/s. */
 #define DIP_SLANT_DOWN_RAD (57.0f * F_DEG)
 #define DIP_SLANT_DOWN_M_S 0.10f
-/* The same for an upward stroke. The slant is smaller, because a fish slides off steep paper. */
+/* Largest slant of the ring during an upward stroke, and the vertical speed at which the slant is
+ * largest. The slant is smaller than in a downward stroke, because a fish slides off steep
+ * paper. */
 #define DIP_SLANT_UP_RAD (28.0f * F_DEG)
 #define DIP_SLANT_UP_M_S 0.40f
 
@@ -71,8 +73,8 @@ static inline float pointer_seconds_between(uint64_t from_ns, uint64_t to_ns)
  * stroke from the hover height: about one radius of the ring. A stroke that starts lower has a
  * proportionally smaller distance, and a stroke that starts under water has none. */
 #define DIP_NEAR_M 0.045f
-/* Fraction of the downward stroke after which the distance is largest. The center of the ring is
- * then half way between the surface and the final depth. */
+/* Fraction of the downward stroke after which the ring is farthest from the pointer (DIP_NEAR_M).
+ * The center of the ring is then half way between the surface and the final depth. */
 #define DIP_NEAR_AT 0.50f
 
 /* The current stroke: a quintic polynomial that starts from the ring's state at `start_ns`. */
@@ -105,9 +107,10 @@ void pointer_dip_begin(struct dip *dip, uint64_t time_ns, bool down);
  * returns the state at the start. */
 struct dip_state pointer_dip_at(const struct dip *dip, uint64_t time_ns);
 
-/* Returns the slant of the ring in radians (0 or more) at a vertical speed, which is negative in a
- * downward stroke. The slant is proportional to the speed up to the limit of the direction. The far
- * edge of a slanted ring is lower while the ring sinks and also while the ring rises. */
+/* Returns the slant of the ring in radians (0 or more) at the vertical speed `speed_m_s`, which is
+ * negative in a downward stroke. The slant is proportional to the speed up to the limit for its
+ * direction. The far edge of a slanted ring is lower, both while the ring sinks and while the ring
+ * rises. */
 float pointer_dip_slant_rad(float speed_m_s);
 
 /* ---- Poi ------------------------------------------------------------------------------------- */
@@ -159,7 +162,7 @@ struct pointer_poi {
 
     /* `lag_x` and `lag_y` are the offset of the poi from the pointer when the poi starts to return
      * to the pointer. `back_s` is the duration of this return above the water. `back_done_s` is the
-     * part that has passed, which advances more slowly under water. */
+     * part of this duration that has passed. It advances more slowly under water. */
     float lag_x, lag_y;
     float back_s, back_done_s;
 
@@ -199,15 +202,16 @@ struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_
 /* Radius of the fan's shadow. The value is that of the 2013 thesis and equals the size of a small
  * uchiwa (a hand-held fan). */
 #define POINTER_FAN_RADIUS_M 0.10f
-/* Time in which the fan moves from beyond the tank's near edge to the pointer, or back. */
+/* Time in which the fan moves from its place outside the tank's near edge to the pointer, or back.
+ * The fan moves when the player presses or releases FAN. */
 #define POINTER_FAN_SWING_S 0.40f
 
 /* Advances `swing` to `time_ns`. Returns the time that has passed in seconds, or 0 if `time_ns` is
  * not later than the previous time. */
 float pointer_fan_swing(struct fan_swing *swing, uint64_t time_ns);
 
-/* Returns the shadow of a fan on its way from `rest_m` to `there_m`. `share` is the progress, 0 to
- * 1. The height of the two positions is not used. */
+/* Returns the shadow of a fan that has covered the fraction `share` (0 to 1) of its way from
+ * `rest_m` to `there_m`. The heights of the two positions are not used. */
 struct shade_input pointer_fan_between(float share, vec3 rest_m, vec3 there_m);
 
 /* Returns the fan's shadow on the water at `time_ns`, which must not decrease from call to call.

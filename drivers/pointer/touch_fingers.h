@@ -39,7 +39,7 @@ struct touch_fingers {
      * corner. */
     float x, y;
     bool has_place; /* True after the first touch of the screen. `x` and `y` are then valid. */
-    bool dips;      /* True while two or more fingers touch the screen. */
+    bool dips;      /* True while at least two fingers touch the screen, which lowers the ring. */
     /* True from the touch of a third finger until touch_fingers_start() is called. */
     bool start_pressed;
 };

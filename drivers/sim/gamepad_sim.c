@@ -19,14 +19,14 @@ static int gamepad_sim_open(void *self)
     const int result = report_feed_open(&sim->feed);
     if (result > 0) {
         const struct view view = sim->track.decoder.fly.view;
-        /* A game pad that is plugged in again starts with a new state, as with SDL. */
+        /* A game pad that is plugged in again starts with a new decoder state, as with SDL. */
         gamepad_queue_init(&sim->track, &view, hal_now_ns(sim->feed.clock));
     }
     return result < 0 ? HAL_ERR_GONE : HAL_OK;
 }
 
-/* Returns a report with its faults. A report with random bits is possible, because SDL does not
- * validate the values of real game pads. */
+/* Returns the next report with its faults. A report with random bits is a possible fault, because
+ * SDL does not validate the values of real game pads. */
 static struct gamepad_report faulty_pad_report(const struct gamepad_sim *sim,
                                                const struct report_fault *fault)
 {
@@ -91,8 +91,9 @@ static void gamepad_sim_set_view(void *self, const struct view *view,
 {
     struct gamepad_sim *sim = self;
     CORE_ASSERT(view);
-    (void)display_settings; /* Unused, because a stick moves relative to the water and not to the
-                               screen. */
+    /* `display_settings` is unused, because a stick moves the poi relative to the water and not to
+     * the screen. */
+    (void)display_settings;
     stick_motion_set_view(&sim->track.decoder.fly, view);
     sim->track.decoder.fly.dip.scoops = scoops;
 }

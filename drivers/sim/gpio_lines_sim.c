@@ -31,8 +31,9 @@ static void queue_edge(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
         if (!sim->is_numbered) {
             return;
         }
-        line->first++; /* The second version of the kernel's GPIO interface drops the oldest edge
-                          when the queue is full. */
+        /* The second version of the kernel's GPIO interface drops the oldest edge when the queue is
+         * full, to make room for the new edge. */
+        line->first++;
         line->count--;
     }
     const uint32_t at = (line->first + line->count++) % GPIO_SIM_QUEUE_MAX;
@@ -49,8 +50,9 @@ static void serve(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
     CORE_ASSERT(time_ns > 0);
     queue_edge(sim, line);
     line->busy_until_ns = 0;
-    if (line->pending) { /* An edge that arrived while the kernel served the current edge is served
-                            next. The time stamp of the next edge is the current time. */
+    /* Another edge arrived while the kernel served this edge. The kernel now serves the other edge
+     * and gives it the current time as its time stamp. */
+    if (line->pending) {
         line->pending = false;
         line->stamp_ns = time_ns;
         line->busy_until_ns = time_ns + lateness_ns(sim);
@@ -373,8 +375,9 @@ void gpio_lines_sim_init(struct gpio_lines_sim *sim, struct gpio_sim_script scri
     memset(sim, 0, sizeof *sim);
     sim->queue_size = GPIO_SIM_QUEUE_MAX;
     sim->is_numbered = true;
-    sim->seed = seed ? seed : 1u; /* An xorshift generator with the state 0 would always return
-                                     0. */
+    /* The seed must not be 0, because an xorshift generator with the state 0 would always return
+     * 0. */
+    sim->seed = seed ? seed : 1u;
     sim->script = script;
     sim->now_ns = 1u; /* The time starts at 1, because a busy_until_ns of 0 means that the kernel is
                          idle. */

@@ -14,12 +14,13 @@
 #define GPIO_SIM_QUEUE_MAX 64u
 
 enum gpio_sim_what {
-    /* Sets the wire of `role` to the level `active` (1 means active, see active_low). */
+    /* Sets the wire of `role` to the level `active`: 1 means active, as defined by `active_low` of
+     * struct gpio_wire. */
     GPIO_SIM_LEVEL = 0,
     /* A glitch that the kernel reports as one edge, as on chips with one event bit for each
      * line. */
     GPIO_SIM_SPARK,
-    GPIO_SIM_GONE, /* Removes the chip of all lines. */
+    GPIO_SIM_GONE, /* Removes the chip, which has all lines. */
     /* Plugs the removed chip in again. The wires can change while the chip is removed. */
     GPIO_SIM_BACK,
 };
@@ -53,8 +54,8 @@ struct gpio_lines_sim {
     /* True if edges are numbered and a full queue drops its oldest edge, as with libgpiod 2.x.
      * False if edges are not numbered and a full queue drops the newest edge. */
     bool is_numbered;
-    /* Result of debounces(). If the result is true, the script must contain no bounce, because the
-     * simulation does not debounce. */
+    /* Result of the backend's function debounces(). If the result is true, the script must contain
+     * no bounces, because the simulated kernel does not debounce. */
     bool kernel_debounces;
     /* Shortest and longest delay after which the kernel reads the level of a line. */
     uint64_t late_min_ns, late_max_ns;
@@ -78,11 +79,11 @@ struct gpio_lines_sim {
         /* Time at which the kernel reads the level. 0 means that the kernel is idle. */
         uint64_t busy_until_ns;
         uint64_t stamp_ns; /* Time stamp of the edge that the simulated kernel processes. */
-        uint32_t number;   /* Number of edges so far, including dropped edges. */
+        uint32_t number;   /* Number of edges since the initialization, including dropped edges. */
         uint32_t seen;     /* Number of the last edge that was read. */
         bool was_full;     /* True if the last read found a full queue. */
-        /* Level after the last edge that was read. If edges are not numbered, `was_full` is true
-         * and the next edge has this same level, at least one edge was lost. */
+        /* Level after the last edge that was read. At least one edge was lost if edges are not
+         * numbered, `was_full` is true, and the next edge has this same level. */
         uint8_t last;
         /* Position of the oldest edge in `queue`, and number of edges in `queue`. */
         uint32_t first, count;
@@ -98,7 +99,8 @@ struct gpio_lines_sim {
      * level is low. */
     uint8_t rests[GPIO_ROLE_COUNT];
     struct gpio_sim_set sets[GPIO_SIM_SETS_MAX]; /* Ring buffer of the newest output changes. */
-    uint32_t set_count;                          /* Number of output changes so far. */
+    /* Number of output changes since the initialization. */
+    uint32_t set_count;
 };
 
 /* Initializes the simulation: the lines are released, the chip is present, the kernel has no delay,

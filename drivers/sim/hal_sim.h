@@ -48,13 +48,13 @@ struct display_sim {
     struct display_settings display_settings; /* Image geometry from the last set_transform(). */
     uint32_t present_count;
     uint32_t full_screen_count; /* Number of full-screen toggles. */
-    /* Number of present() calls after which the display is permanently lost. 0 means never. */
+    /* The display is permanently lost after this number of present() calls. 0 means never. */
     uint32_t gone_at;
     bool away;       /* True while the display is unplugged and open() fails. */
-    bool needs_open; /* True from the unplugging of the display until open() succeeds. */
+    bool needs_open; /* True after the display was unplugged, until open() succeeds. */
     uint32_t open_count;
-    /* Number (from 1) of the present() call that fails with HAL_ERR_IO. 0 means that no call
-     * fails. */
+    /* Ordinal number (from 1) of the present() call that fails with HAL_ERR_IO. 0 means that no
+     * call fails. */
     uint32_t fail_at;
     bool quit;   /* True if the next poll() reports that the window was closed. */
     bool opened; /* True between a successful open() and close(). */

@@ -13,8 +13,8 @@
 
 #define HID_SIM_NEVER UINT32_MAX
 
-/* Kind of a fault. A fault applies to the reports whose number is at least `from` and less than
- * `to`. A list may contain several faults of one kind. */
+/* Kind of a fault of a simulated controller. A fault applies to all reports from number `from` to
+ * number `to` - 1. A list may contain several faults of one kind. */
 enum hid_sim_kind {
     HID_SIM_FINE = 0,
     HID_SIM_SILENCE, /* The report is lost. */
@@ -40,13 +40,15 @@ struct hid_port_sim {
     struct hal_clock clock;
     const struct hid_sim_fault *faults; /* List of faults, owned by the caller. */
     uint32_t fault_count;
-    /* Number of the report before which the device is unplugged. HID_SIM_NEVER means never. */
+    /* The device is unplugged before the report with this number (from 0). HID_SIM_NEVER means
+     * never. */
     uint32_t unplug_at;
     /* True if output reports stay pending, so that hid_port_send() returns HAL_ERR_BUSY. */
     bool busy;
 
     bool is_attached;
-    uint32_t report_count;        /* Number of reports so far. The next report gets this number. */
+    /* Number of reports since the initialization, which is also the number of the next report. */
+    uint32_t report_count;
     struct hid_raw last;          /* Report that was delivered last, with its faults. */
     uint8_t sent[HID_REPORT_MAX]; /* Newest output report. */
     uint32_t sent_size;           /* Number of bytes in `sent`. */

@@ -59,7 +59,8 @@ static struct pointer_report mouse_report(struct pointer_sim *sim, const struct 
     return report;
 }
 
-/* Passes an event with its faults to the touch screen's fingers. Returns the resulting report. */
+/* Passes the next finger event, with its faults, to the finger tracking of the touch screen.
+ * Returns the resulting pointer report. */
 static struct pointer_report touch_report(struct pointer_sim *sim, const struct report_fault *fault)
 {
     CORE_ASSERT(fault->index < sim->feed.count && fault->copies <= 2u);
@@ -123,7 +124,8 @@ static void pointer_sim_set_view(void *self, const struct view *view,
 {
     struct pointer_sim *sim = self;
     CORE_ASSERT(view);
-    (void)display_settings; /* Unused, because the simulated image fills the window. */
+    /* `display_settings` is unused, because the simulated image fills the window. */
+    (void)display_settings;
     sim->pointer.view = *view;
     sim->pointer.dip.scoops = scoops;
 }

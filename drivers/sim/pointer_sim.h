@@ -16,8 +16,8 @@ struct pointer_sim {
     const struct touch_event *events;     /* Events of a touch screen. */
     /* True for a touch screen, which plays `events`. False for a mouse, which plays `reports`. */
     bool is_touch;
-    /* Interval n of lost events: every n-th event is lost if it lifts a finger. 0 means that no
-     * event is lost. */
+    /* Every n-th event of the touch screen is lost if it lifts a finger, where n is this value. 0
+     * means that no event is lost. */
     uint32_t mute_every;
     struct touch_fingers fingers;
     struct pointer_report report; /* Last report of the touch screen. */

@@ -1,4 +1,5 @@
-/* report_feed.c -- implements the position in the reports and the faults of a simulated device. */
+/* report_feed.c -- selects the next report of a simulated device and determines the faults of this
+ * report. */
 #include "drivers/sim/report_feed.h"
 
 #include <string.h>

@@ -22,8 +22,7 @@ struct report_feed {
     /* Index of the report before which the device is unplugged. REPORT_FEED_NEVER means never. */
     uint32_t unplug_at;
     uint64_t replug_ns; /* Time from which open() finds the device again. */
-    /* Interval n of doubled reports: every n-th report arrives twice. 0 means that no report is
-     * doubled. */
+    /* Every n-th report arrives twice, where n is this value. 0 means that no report is doubled. */
     uint32_t double_every;
     /* Index of the report that jumps to the top right corner (mouse, touch screen), or in which the
      * sticks jump to a corner (game pad). REPORT_FEED_NEVER means that there is no such report. */

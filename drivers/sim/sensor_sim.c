@@ -88,7 +88,8 @@ static int sensor_sim_poll(void *self, struct poi_sample *out, uint32_t max)
                                 : fails_at(sim, SENSOR_TWICE, sim->next_ns) ? 2u
                                                                             : 1u;
         if (fails_at(sim, SENSOR_HELD_BACK, sim->next_ns)) {
-            if (sim->held_count == SENSOR_SIM_HELD_MAX) { /* The oldest report is lost. */
+            /* The buffer of delayed reports is full, so the oldest report is lost. */
+            if (sim->held_count == SENSOR_SIM_HELD_MAX) {
                 memmove(sim->held, sim->held + 1, sizeof sim->held - sizeof sim->held[0]);
                 sim->held_count--;
             }
@@ -129,9 +130,9 @@ static void sensor_sim_set_view(void *self, const struct view *view,
 {
     struct sensor_sim *sim = self;
     CORE_ASSERT(view);
-    (void)display_settings; /* Unused, because the pose refers to the water and not to the
-                               screen. */
-    (void)scoops;           /* Unused, because the sensor measures the real pose. */
+    /* `display_settings` is unused, because the pose refers to the water and not to the screen. */
+    (void)display_settings;
+    (void)scoops; /* `scoops` is unused, because the sensor measures the real pose. */
     sim->view = *view;
 }
 

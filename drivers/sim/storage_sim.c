@@ -72,7 +72,8 @@ static int storage_sim_replay_fetched(void *self)
     return !is_replay_done(sim) ? HAL_ERR_BUSY : is_there ? (int)sim->replay_size : HAL_ERR_ABSENT;
 }
 
-/* Counts one write against the selected faults. Returns HAL_OK, or the error of the write. */
+/* Takes one of the selected write faults, if any are left. Returns the error of the write, or
+ * HAL_OK. */
 static int take_fault(struct storage_sim *sim)
 {
     uint32_t *left = sim->busy_left > 0 ? &sim->busy_left : &sim->fail_left;
@@ -108,8 +109,8 @@ static uint32_t storage_sim_committed_id(void *self)
     return sim->polls_since++ >= sim->delay_polls ? sim->entry.id : 0;
 }
 
-/* Stores an edit of a species. Returns HAL_ERR_BUSY or HAL_ERR_IO by the same fault counters that
- * append() uses. */
+/* Stores an edit of a species. Returns HAL_ERR_BUSY or HAL_ERR_IO as long as the fault counters,
+ * which append() also uses, are not 0. */
 static int storage_sim_store_edit(void *self, const struct graph_edit_record *edit)
 {
     struct storage_sim *sim = self;

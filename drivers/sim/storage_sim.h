@@ -21,7 +21,7 @@ struct storage_sim {
     /* Number of further writes that return HAL_ERR_IO, after the writes that return
      * HAL_ERR_BUSY. */
     uint32_t fail_left;
-    /* Number of committed_id() calls before an accepted entry counts as on disk. */
+    /* An accepted entry counts as written to disk after this number of committed_id() calls. */
     uint32_t delay_polls;
     uint32_t polls_since; /* Number of committed_id() calls after the last accepted entry. */
     /* Buffer for one replay, owned by the caller. Null means that replays are not stored. */
@@ -38,10 +38,10 @@ struct storage_sim {
     bool needs_restart;
     struct audits late;          /* Sums of the ledger entries that merge_offline() received. */
     struct balance late_balance; /* Sum of the balance changes that merge_offline() received. */
-    /* Value for `late_polls_left` at each merge_offline(): the number of offline_merged() calls
-     * until the merged entries are on disk. */
+    /* Value that each merge_offline() assigns to `late_polls_left`: the number of offline_merged()
+     * calls until the merged entries are on disk. */
     uint32_t late_polls;
-    /* Number of further offline_merged() calls until the merged entries are on disk. */
+    /* Number of offline_merged() calls that remain until the merged entries are on disk. */
     uint32_t late_polls_left;
 };
 

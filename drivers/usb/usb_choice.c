@@ -21,8 +21,8 @@ int usb_key_read(struct usb_key *out, const char *text)
 {
     unsigned vendor, product;
     int end = 0;
-    /* The four hexadecimal digits of each id are counted, because sscanf() also accepts signs,
-     * blanks and shorter numbers. */
+    /* strspn() checks that each id has exactly four hexadecimal digits, because sscanf() also
+     * accepts signs, blanks and shorter numbers. */
     if (strspn(text, HEX_DIGITS) != 4u || text[4] != ':' || strspn(text + 5, HEX_DIGITS) != 4u ||
         sscanf(text, "%4x:%4x%n", &vendor, &product, &end) != 2) {
         return -1;
@@ -181,7 +181,8 @@ void usb_choice_read(struct usb_candidate *subject, const uint8_t *bytes, uint32
         subject->kind = USB_KIND_NOTHING;
         return;
     }
-    /* Number of groups of applications that cannot control a poi, and of all other groups. */
+    /* `keys` is the number of groups whose application cannot control a poi. `others` is the number
+     * of all other groups. */
     uint32_t keys = 0, others = 0;
     for (uint32_t i = 0; i < scratch->group_count; i++) {
         const struct hid_group *group = &scratch->group[i];
@@ -255,14 +256,17 @@ uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_id
         return same_port ? 4u : 3u;
     }
     if (same_port) {
-        return 2u; /* A different device of the same product was plugged into the same port. */
+        /* The identities belong to different devices of the same product that were plugged into the
+         * same port one after the other. */
+        return 2u;
     }
     return same_serial ? 1u : 0u; /* The devices have the same product and no serial number, but
                                      different ports. */
 }
 
 /* Returns the vacant slot whose last controller is most similar to `identity`, or POI_MAX if there
- * is none. If only the product matches and several slots match equally, also returns POI_MAX. */
+ * is none. Also returns POI_MAX if several slots are equally similar and only the product
+ * matches. */
 static uint32_t own_slot(const struct usb_place place[POI_MAX], const struct hid_identity *identity)
 {
     uint32_t best = POI_MAX, most = 0u, equals = 0u;
@@ -319,7 +323,8 @@ int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TE
         }
     }
     result = file && ferror(file) ? -errno : result;
-    /* open() of a socket fails with ENXIO. */
+    /* These errors mean that `path` is not a regular file. For example, open() of a socket fails
+     * with ENXIO. */
     if (result == -ENOTSUP || result == -EISDIR || result == -ELOOP || result == -ENXIO) {
         snprintf(why, HAL_TEXT_SIZE, "%.60s: is not a regular file", path);
     } else if (result < 0) {

@@ -21,10 +21,12 @@
 #include "drivers/hid/hid_port.h"
 #include "platform/hal.h"
 
-/* Vendor id of the pid.codes test id, with which no product may be sold. */
+/* Vendor id of the test id of pid.codes (a registry of free USB ids). No product may be sold with
+ * this id. */
 #define USB_BENCH_VENDOR 0x1209u
 #define USB_BENCH_PRODUCT 0x0001u
-/* Size of the text "057e:2009:" with a serial number. */
+/* Size of the text of a key (struct usb_key), such as "057e:2009:SERIAL", with the terminating
+ * zero. */
 #define USB_KEY_TEXT_SIZE (10u + HID_TEXT_SIZE)
 /* Maximum number of rules in struct usb_choice. A rule (struct usb_request) allows or forbids a
  * controller to play. 32 rules are enough for four pois, each replaced seven times. */
@@ -44,7 +46,8 @@ int usb_key_read(struct usb_key *out, const char *text);
 /* Writes the key in the format that usb_key_read() parses. */
 void usb_key_write(const struct usb_key *key, char text[USB_KEY_TEXT_SIZE]);
 
-/* Returns the key of a controller, with its serial number if it has one. */
+/* Returns the key (vendor, product and serial number) of the controller `identity`. The serial
+ * number is "" if the controller has none. */
 struct usb_key usb_key_of(const struct hid_identity *identity);
 
 /* A rule that allows or forbids one controller, or all controllers of a product, to play. */
@@ -68,7 +71,7 @@ struct usb_choice {
 void usb_choice_request(struct usb_choice *choice, const struct usb_key *key, bool plays,
                         bool kept);
 
-/* Copies the keys of all rules that allow playing. Returns the number of keys. */
+/* Copies to `out` the keys of all rules that allow playing. Returns the number of keys. */
 uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_REQUEST_MAX]);
 
 /* Parses one line of the file of rules. "plays KEY" allows the controller with this key to play.
@@ -115,8 +118,8 @@ enum usb_verdict {
     USB_BARRED = 0, /* The interface must never be claimed. */
     /* The interface may be claimed only after the operator selects the controller. */
     USB_FREE,
-    /* The interface may be claimed to read its report descriptor. The interface is then evaluated
-     * again. */
+    /* The interface may be claimed only to read its report descriptor. Afterwards
+     * usb_choice_evaluate() must be called again. */
     USB_ASK,
     USB_PLAYS,
 };
@@ -133,7 +136,7 @@ enum usb_verdict usb_choice_evaluate(const struct usb_choice *choice,
 bool usb_choice_is_better(const struct usb_choice *choice, const struct usb_candidate *a,
                           const struct usb_candidate *b);
 
-/* State of a slot, with the controller that has the slot now or had it last. */
+/* State of a slot, and identity of the controller that has the slot now or had the slot last. */
 struct usb_place {
     bool was_taken; /* True if `identity` is valid. */
     bool is_taken;  /* True if the controller is attached now. */

@@ -82,8 +82,8 @@ static void evaluate(struct usb_device *device, struct usb_evaluation *evaluatio
 }
 
 /* Classifies `device` by one of its interfaces. A report descriptor that was read from the device
- * itself is kept, because /sys has no descriptor while the interface is claimed. In addition, a
- * kernel driver may put a corrected descriptor into /sys. */
+ * itself is kept, because /sys has no descriptor while the interface is claimed. The descriptor in
+ * /sys may also differ, because a kernel driver may correct it there. */
 static void classify(struct usb_device *device, struct usb_evaluation *evaluation,
                      const struct libusb_interface_descriptor *interface)
 {

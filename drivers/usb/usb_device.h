@@ -33,8 +33,7 @@ struct usb_device {
     /* True if the interface has the boot protocol of a keyboard. */
     bool is_boot_keyboard;
     uint32_t declared_size; /* Declared size of the report descriptor in bytes. */
-    /* True if `face.descriptor` was read from the device. False if `face.descriptor` was read from
-     * /sys. */
+    /* True if `face.descriptor` was read from the device, false if it was read from /sys. */
     bool is_read;
     uint8_t verdict; /* Decision whether the kiosk may claim the interface (enum usb_verdict). */
     uint8_t kind;    /* Kind of the interface (enum usb_kind). */
@@ -68,5 +67,5 @@ void usb_device_refresh(struct usb_device *device, struct usb_evaluation *evalua
 enum usb_device_fault usb_device_open(struct usb_device *device, struct usb_evaluation *evaluation,
                                       libusb_device_handle **out);
 
-/* Releases the reference to the libusb device. */
+/* Releases the reference to the libusb device that usb_device_add() took. */
 void usb_device_remove(struct usb_device *device);

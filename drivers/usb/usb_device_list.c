@@ -1,5 +1,6 @@
-/* usb_device_list.c -- assigns rows of the controller menu, and reuses rows if there are more
- * controllers than rows. Passes rows to the frame loop and commands to the event thread. */
+/* usb_device_list.c -- assigns the rows of the controller menu to controllers, and reuses rows if
+ * there are more controllers than rows. Passes the rows to the frame loop and the operator's
+ * commands to the event thread. */
 #include "drivers/usb/usb_device_list.h"
 
 #include <string.h>
@@ -20,7 +21,8 @@ void usb_device_table_init(struct usb_device_table *rows)
     }
 }
 
-/* Returns the row for a new controller, or CONTROLLER_MAX if there is none. */
+/* Returns the row for the new controller `identity`, or CONTROLLER_MAX if there is none. The order
+ * of the choices is that of usb_device_table_enter(). */
 static uint32_t row_for(const struct usb_device_table *rows, const struct hid_identity *identity,
                         bool is_barred)
 {

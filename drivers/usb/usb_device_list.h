@@ -68,7 +68,8 @@ struct usb_device_list {
     void *wake_self;
 };
 
-/* Initializes an empty list. `wake` is called for each command. */
+/* Initializes an empty list. The callback `wake` wakes the event thread and is called for each
+ * command. */
 void usb_device_list_init(struct usb_device_list *device_list, void (*wake)(void *self),
                           void *wake_self);
 

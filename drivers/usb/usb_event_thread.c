@@ -28,8 +28,8 @@ static void wake(void *self)
 {
     const struct usb_event_thread *usb_thread = self;
     const uint64_t one = 1;
-    /* The file descriptor `wake_fd` is nonblocking. If the write fails because the event counter is
-     * full, the thread is already woken. */
+    /* A failed write needs no handling: `wake_fd` is nonblocking, and a write fails only if the
+     * event counter is full, so the thread is already woken. */
     const ssize_t written = write(usb_thread->wake_fd, &one, sizeof one);
     (void)written;
 }
@@ -92,8 +92,9 @@ static void wait_and_handle(struct usb_event_thread *usb_thread)
 
 /* ---- Main loop of the thread ---------------------------------------------------------------- */
 
-/* Called by libusb when a device arrives or leaves. Inside this callback, requests to a device and
- * closing a device are forbidden. */
+/* libusb calls this function when a device arrives or leaves. In this callback, libusb forbids
+ * requests to a device and closing a device. The function therefore only records that the bus
+ * changed. */
 static int LIBUSB_CALL on_hotplug(libusb_context *context, libusb_device *device,
                                   libusb_hotplug_event event, void *self)
 {
@@ -242,13 +243,14 @@ struct usb_event_thread *usb_transport_start(const struct usb_transport_config *
     one.rows_changed = true;
     one.is_running = begin(&one, why);
     if (!one.is_running) {
-        /* An empty device list is published with the reason why USB is not available. */
+        /* USB is not available. An empty device list with the reason is published. */
         for (uint32_t i = 0; i < POI_MAX; i++) {
             one.port[i].is_unusable = true;
         }
         snprintf(one.rows.text, sizeof one.rows.text, "%s", why);
-        one.rows.wanted_count = 0; /* No keys are published, so that other drivers may use the
-                                      selected controllers. */
+        /* The list of selected controllers is empty without USB, so that other drivers may use
+         * these controllers. */
+        one.rows.wanted_count = 0;
         usb_device_list_publish(&one.device_list, &one.rows);
     }
     return &one;
@@ -271,9 +273,9 @@ uint32_t usb_transport_wanted(struct usb_event_thread *usb_thread,
     return usb_device_list_wanted(&usb_thread->device_list, out);
 }
 
-/* Stops the event thread. If a transfer never returned from the kernel, the memory of libusb and of
- * the transfers is not freed, because freeing memory that the kernel still uses would be worse than
- * a leak. */
+/* Stops the event thread and frees the memory of libusb and of the transfers. If a transfer never
+ * returned from the kernel, the memory of libusb and of the transfers is not freed, because freeing
+ * memory that the kernel still uses would be worse than a leak. */
 void usb_transport_stop(struct usb_event_thread *usb_thread)
 {
     if (!usb_thread->is_running) {

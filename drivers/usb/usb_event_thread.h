@@ -21,8 +21,8 @@
 #include "drivers/usb/usb_device_list.h"
 #include "drivers/usb/usb_transfers.h"
 
-/* Largest number of HID devices in the table. If the table is full, a device that may not be
- * claimed is replaced first. */
+/* Largest number of HID devices in the table. If the table is full, a new device replaces a device
+ * that may not be claimed. */
 #define USB_DEVICE_MAX 16u
 /* Largest number of links: four open controllers, and four that are being closed. */
 #define USB_LINK_MAX (2u * POI_MAX)
@@ -36,16 +36,19 @@
 struct usb_device_entry {
     /* The USB device of the entry. A null `device.device` means that the entry is empty. */
     struct usb_device device;
-    uint8_t trouble;          /* Current fault of the device (enum usb_device_fault). */
-    uint8_t reported_trouble; /* Fault that was reported last (enum usb_device_fault). */
+    uint8_t trouble; /* Current fault of the device (enum usb_device_fault). */
+    /* Fault that was last passed to the callback `report` (enum usb_device_fault). */
+    uint8_t reported_trouble;
     /* Number of consecutive attempts to open the device to which the device did not respond. Each
      * such attempt blocked the event thread. */
     uint8_t failures;
-    bool is_seen; /* True if the current comparison with the bus found the device. */
+    /* True if the device was found on the bus by the comparison that is in progress. */
+    bool is_seen;
     /* Indexes of the device's row, link and slot. USB_INDEX_NONE means none. For `row`,
      * CONTROLLER_MAX means none too. */
     uint32_t row, link, slot;
-    /* Index of the device's previous link, which may still be closing, or USB_INDEX_NONE. */
+    /* Index of the link that the device used before `link` and that may still be closing, or
+     * USB_INDEX_NONE. */
     uint32_t drains;
     uint64_t met_ns; /* Time at which the device was added to the table. */
     uint64_t due_ns; /* Time at which the device is examined next. */
@@ -106,7 +109,8 @@ void usb_event_thread_handle_commands(struct usb_event_thread *usb_thread);
 void usb_event_thread_update_row(struct usb_event_thread *usb_thread,
                                  struct usb_device_entry *entry, uint8_t state);
 
-/* Detaches a device from its slot. `is_gone` is true if the device was unplugged. */
+/* Detaches a device from its slot and closes its link. `is_gone` is true if the device was
+ * unplugged. */
 void usb_event_thread_detach(struct usb_event_thread *usb_thread, struct usb_device_entry *entry,
                              bool is_gone);
 

@@ -7,7 +7,8 @@
 
 #include "core/base/panic.h"
 
-/* Time in ns after the last bus change at which even devices on slow hubs are configured. */
+/* Time in ns for which the comparisons with the bus are repeated after the last bus change. After
+ * this time, even devices on slow hubs are configured. */
 #define SETTLE_NS (2000u * NS_PER_MS)
 #define AGAIN_NS (100u * NS_PER_MS)
 /* Interval of the comparisons with the bus if libusb does not support hot-plug events. */
@@ -26,7 +27,8 @@ static struct usb_device_entry *find_entry(struct usb_event_thread *usb_thread,
     return NULL;
 }
 
-/* Removes a device from the table. The row of a lost controller is kept. */
+/* Removes a device from the table. Clears the device's row in the controller menu, unless the row
+ * now shows a lost controller. */
 static void remove_table_entry(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
     CORE_ASSERT(entry->device.device);
@@ -77,7 +79,7 @@ static void add_device(struct usb_event_thread *usb_thread, libusb_device *devic
                                         .drains = USB_INDEX_NONE,
                                         .met_ns = now_ns,
                                         .due_ns = now_ns };
-    /* The row may have belonged to the lost controller of another table entry. The other entry then
+    /* The row may have belonged to a lost controller in another entry of the table. That entry then
      * loses the row and gets a new row later. */
     entry->row = usb_device_table_enter(&usb_thread->rows, &entry->device.face.identity,
                                         entry->device.verdict == USB_BARRED);
@@ -182,7 +184,7 @@ static void execute(struct usb_event_thread *usb_thread, const struct usb_comman
         entry->failures = 0;
     }
     if (!order->plays) {
-        /* Release the slot and the row that were kept for a lost controller. */
+        /* Releases the slot and the row that are kept for the lost controller of the command. */
         const uint32_t row = usb_device_table_find(&usb_thread->rows, &order->identity);
         for (uint32_t i = 0; i < POI_MAX; i++) {
             struct usb_place *place = &usb_thread->place[i];
@@ -198,8 +200,9 @@ static void execute(struct usb_event_thread *usb_thread, const struct usb_comman
     usb_thread->rows_changed = true;
 }
 
-/* The number of commands is limited and their rules are stored together. Otherwise commands that
- * arrive faster than the disk stores a file would keep the thread from all devices. */
+/* Executes at most USB_COMMAND_MAX commands and then stores all their rules together. If commands
+ * arrived faster than the disk stores a file, storing each rule separately would keep the thread
+ * from serving the devices. */
 void usb_event_thread_handle_commands(struct usb_event_thread *usb_thread)
 {
     struct usb_command order;

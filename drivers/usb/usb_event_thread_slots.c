@@ -13,8 +13,8 @@
 /* Limit of the count of failed attempts to open a device. The interval before the next attempt is
  * 2, 4, 8, 16 and 32 s after the first five failures, then RETRY_NS_MAX after each failure. */
 #define FAILURES_MAX 6u
-/* Longest expected time from the detection of a new device until the kernel has bound a driver to
- * the device and the udev rules have run. */
+/* Longest expected time from the detection of a new device until a kernel driver is bound to the
+ * device and the udev rules have run. */
 #define SETTLE_NS (2u * NS_PER_S)
 /* Time for which the slot of an unplugged controller is kept for that controller. A game round is
  * paused for at most the same time while its controller is missing. */
@@ -24,8 +24,9 @@ void usb_event_thread_update_row(struct usb_event_thread *usb_thread,
                                  struct usb_device_entry *entry, uint8_t state)
 {
     CORE_ASSERT(entry->device.device);
-    if (entry->row >= CONTROLLER_MAX) { /* No row of the operator's menu was free when the device
-                                           was added. */
+    /* The device has no row yet, because no row of the operator's menu was free when the device was
+     * added. */
+    if (entry->row >= CONTROLLER_MAX) {
         entry->row = usb_device_table_enter(&usb_thread->rows, &entry->device.face.identity,
                                             state == CONTROLLER_UNSUPPORTED);
     }
@@ -75,8 +76,9 @@ static void attach_to_slot(struct usb_event_thread *usb_thread, struct usb_devic
     }
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
         if (usb_thread->link[i].port == &usb_thread->port[slot]) {
-            usb_transfers_detach(&usb_thread->link[i]); /* The previous link of the slot is still
-                                                           closing and must be detached first. */
+            /* The previous link of this slot is still closing. Its controller must be detached
+             * before the new controller is attached. */
+            usb_transfers_detach(&usb_thread->link[i]);
         }
     }
     usb_thread->place[slot] = (struct usb_place){ .was_taken = true,

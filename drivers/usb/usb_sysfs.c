@@ -42,7 +42,8 @@ void usb_sysfs_clean_text(char text[HID_TEXT_SIZE])
     while (length > 0 && (text[length - 1u] == ' ' || text[length - 1u] == '\n')) {
         text[--length] = '\0';
     }
-    /* The last UTF-8 character is removed if it is incomplete. */
+    /* The text may have been truncated within a UTF-8 character. Such an incomplete last character
+     * is removed. */
     const uint32_t last = length > 0 ? printable_fit(text, (uint32_t)length - 1u) : 0u;
     if ((unsigned char)text[last] >= 0xc2u && printable_utf8_size(text + last) == 0u) {
         text[last] = '\0';
@@ -76,7 +77,8 @@ void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT
     }
     char *last;
     while ((last = strrchr(folder, '/')) != NULL && last != folder) {
-        /* Continue with the parent folder. */
+        /* Removes the last component of the path, which continues the search in the parent
+         * folder. */
         *last = '\0';
         snprintf(path, sizeof path, "%s/idVendor", folder);
         if (access(path, F_OK) == 0) {

@@ -66,7 +66,7 @@ static void queue_report(struct usb_transfers *link, const struct libusb_transfe
                     (uint32_t)transfer->actual_length);
 }
 
-/* Evaluates a returned transfer. Returns true if the transfer may be submitted again
+/* Evaluates the status of a returned transfer. Returns true if the transfer may be submitted again
  * immediately. */
 static bool read_status(struct usb_transfers *link, const struct libusb_transfer *transfer)
 {
@@ -75,8 +75,9 @@ static bool read_status(struct usb_transfers *link, const struct libusb_transfer
         link->error_count = 0;
         queue_report(link, transfer);
         return true;
-    case LIBUSB_TRANSFER_OVERFLOW: /* The device sent more bytes than it declared. The report is
-                                      lost. */
+    /* The device sent more bytes than its descriptors declare. The report is counted as lost,
+     * because it is too long. */
+    case LIBUSB_TRANSFER_OVERFLOW:
         hid_port_report(link->port, hal_now_ns(link->clock), transfer->buffer, HID_REPORT_MAX + 1u);
         note_error(link, LIBUSB_ERROR_OVERFLOW);
         return false;
@@ -87,9 +88,11 @@ static bool read_status(struct usb_transfers *link, const struct libusb_transfer
         link->has_halted = true;
         note_error(link, LIBUSB_ERROR_PIPE);
         return false;
-    case LIBUSB_TRANSFER_CANCELLED: /* clear_halt() has cancelled the transfer. */
+    case LIBUSB_TRANSFER_CANCELLED: /* The transfer was cancelled by clear_halt(). */
         return false;
-    default: /* A transmission error, which can also mean that the cable is being unplugged. */
+    /* Any other status is a transmission error. The cause may be that the cable is being
+     * unplugged. */
+    default:
         note_error(link, LIBUSB_ERROR_IO);
         return false;
     }
@@ -102,7 +105,7 @@ static void LIBUSB_CALL on_report(struct libusb_transfer *transfer)
     struct usb_transfers *link = transfer_slot->link;
     transfer_slot->is_submitted = false;
     if (link->state != USB_TRANSFERS_LIVE) {
-        /* The report of a transfer that completed while the link was closing is queued. Cancelled
+        /* A transfer may have completed while the link was closing. Its report is queued. Cancelled
          * transfers contain no report. */
         if (transfer->status == LIBUSB_TRANSFER_COMPLETED && !link->has_left) {
             queue_report(link, transfer);
@@ -264,8 +267,7 @@ static void LIBUSB_CALL on_sent(struct libusb_transfer *transfer)
     struct usb_transfer_slot *transfer_slot = transfer->user_data;
     transfer_slot->is_submitted = false;
     transfer_slot->link->is_gone |= transfer->status == LIBUSB_TRANSFER_NO_DEVICE;
-    /* An output report that could not be sent is not sent again, because the next report is
-     * newer. */
+    /* A failed output report is not sent again, because the next report will have newer content. */
     hid_port_sent(transfer_slot->link->port);
 }
 

@@ -21,10 +21,10 @@
 #define USB_TRANSFER_COUNT (USB_IN_TRANSFER_COUNT + 1u)
 /* Largest packet of an interrupt endpoint in bytes (USB 2.0, section 5.7.3). */
 #define USB_TRANSFER_MAX 1024u
-/* Number of consecutive transfer errors after which the device is closed and opened again. */
+/* After this number of consecutive transfer errors, the device is closed and opened again. */
 #define USB_ERRORS_MAX 8u
-/* Time in ms after the cancellation of the transfers during which returning transfers still deliver
- * reports. */
+/* Longest time in ms between the cancellation of the transfers and the detachment of the
+ * controller. Transfers that return within this time still deliver their reports. */
 #define USB_DETACH_MS 50u
 /* Timeout of an output report in ms. After a longer time the player would feel the force feedback
  * too late. */
@@ -63,7 +63,7 @@ struct usb_transfers {
     uint8_t state;        /* State of the link (enum usb_transfers_state). */
     bool is_gone;         /* True if the device was unplugged and accepts no requests. */
     bool has_halted;      /* True if the input endpoint stalled and must be cleared. */
-    bool has_left;        /* True if the controller was detached from its port. */
+    bool has_left;        /* True if the controller was already detached from its port. */
     uint32_t error_count; /* Number of consecutive transfer errors. */
     uint64_t retry_ns;    /* Earliest time at which transfers are submitted again. */
     /* Time at which the controller is detached from its port even if some transfers have not
@@ -99,7 +99,7 @@ void usb_transfers_send(struct usb_transfers *link);
  * latest. */
 void usb_transfers_drain(struct usb_transfers *link, bool is_gone);
 
-/* Detaches the controller from its port immediately if the link is closing, because another
+/* Detaches the controller from its port immediately if the link is closing. Called when another
  * controller needs the port. */
 void usb_transfers_detach(struct usb_transfers *link);
 

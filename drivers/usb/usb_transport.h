@@ -23,8 +23,8 @@ struct usb_transport_config {
     struct hal_clock clock;
     /* Path of the file of rules (usb_choice.h). Null means that rules are not stored. */
     const char *choices;
-    /* Keys of the controllers that the option --usb names. A controller with such a key may play
-     * even if the file of rules (usb_choice.h) forbids the same key. */
+    /* Keys of the controllers that the option --usb names. Such a controller may play even if the
+     * file of rules (usb_choice.h) forbids it. */
     const struct usb_key *listed;
     uint32_t listed_count; /* Number of elements of `listed`. */
     const char *sysfs;     /* Root of sysfs. Null means "/sys". Tests use another folder. */
