@@ -95,7 +95,7 @@ static void open_lines(struct hal *hal, const struct board_options *options)
  * controllers_open(). */
 static void panel_open(struct hal *hal, const struct board_options *options)
 {
-    /* SDL drops key events while the keyboard is disabled, because no driver reads them. */
+    /* The keyboard is disabled, so no driver reads key events. SDL therefore drops them. */
     static const Uint32 types[] = { SDL_KEYDOWN,     SDL_KEYUP,           SDL_TEXTINPUT,
                                     SDL_TEXTEDITING, SDL_TEXTEDITING_EXT, SDL_KEYMAPCHANGED };
     CORE_ASSERT(options);
@@ -156,7 +156,8 @@ void board_open(struct hal *hal, const struct board_options *options)
 void board_release_store(struct hal *hal)
 {
     hal->audio.ops->close(hal->audio.self);
-    /* The store may already be closed. A second call of close() has no effect. */
+    /* Closes the store. The frame loop may have closed the store before, in which case this call
+     * has no effect. */
     hal->storage.ledger.ops->close(hal->storage.ledger.self);
     if (devices.has_gpio) { /* Switches the lamps off, locks out coins, and ends the GPIO thread. */
         gpio_thread_stop(&devices.gpio);

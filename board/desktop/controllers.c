@@ -180,8 +180,8 @@ static void bar_pads(void)
     gamepads_exclude(&devices.gamepads, bar, usb_exclusions(bar));
 }
 
-/* Returns true if the game pad is plugged in. The operator may select USB controllers
- * while the kiosk runs, so the exclusions are updated once in each frame. */
+/* Returns true if the game pad is plugged in. Also updates the devices that are excluded from SDL,
+ * because the operator may select USB controllers while the kiosk runs. */
 static bool pad_is_present(void *self)
 {
     if (self == &devices.gamepads.pad[0]) {
@@ -225,7 +225,9 @@ void controllers_open(struct hal *hal, const struct board_options *options)
                            (wants(options, BOARD_POI_TOUCH) ? (uint32_t)POINTER_FILTER_TOUCH : 0u);
     usb_open(hal, options);
     devices.has_pointer = false;
-    if (!kinds) { /* SDL drops mouse and touch events, because no driver reads them. */
+    /* No pointer device is in use, so no driver reads mouse and touch events. SDL therefore drops
+     * them. */
+    if (!kinds) {
         static const Uint32 types[] = { SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP,
                                         SDL_MOUSEWHEEL,  SDL_FINGERDOWN,      SDL_FINGERUP,
                                         SDL_FINGERMOTION };

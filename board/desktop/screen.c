@@ -48,7 +48,8 @@ void screen_open(struct hal *hal, const struct board_options *options)
     };
     display_gl_on_lost(display, options->on_display_lost, options->on_display_lost_self);
     hal->display = display_gl_device(display);
-    /* SDL's event queue must outlive a display that is lost and reopened. */
+    /* The event subsystem is started separately, because SDL's event queue must outlive a display
+     * that is lost and opened again. */
     SDL_InitSubSystem(SDL_INIT_EVENTS);
     /* SDL drops events that no driver reads. Such events would fill SDL's queue during a long day.
      * A full queue drops later events, for example the click that closes the window. */

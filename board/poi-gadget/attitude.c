@@ -94,8 +94,8 @@ void attitude_add_motion(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_
     const float trust = f_clamp(1.0f - f_abs(pull - 1.0f) / TRUST_G, 0.0f, 1.0f);
     const vec3 up = v3_normalize_or(accel_m_s2, v3(0.0f, 1.0f, 0.0f));
     if (!attitude->knows) {
-        /* The initial orientation is the shortest rotation that turns `up` to the world's up
-         * direction. */
+        /* The initial orientation is the shortest rotation that turns `up` to the world's upward
+         * direction. If `up` points down, the rotation is a half turn about x. */
         attitude->turn = up.y < -0.9999f
                              ? (struct quaternion){ .x = 1.0f }
                              : normalized((struct quaternion){ 1.0f + up.y, -up.z, 0.0f, up.x });
@@ -148,7 +148,8 @@ struct angles attitude_angles(struct attitude *attitude, float ahead_s, float se
 #define STEADY_HZ_PER_M_S 60.0f
 #define STEADY_SPEED_HZ 6.0f /* Corner frequency of the speed filter, in Hz. */
 
-/* Returns the weight of the new value in one step of a first-order low-pass filter. */
+/* Returns the weight of the new value in one step of a first-order low-pass filter with the corner
+ * frequency `corner_hz`. `seconds` is the duration of the step. */
 static float steady_share_of(float corner_hz, float seconds)
 {
     const float t = F_TAU * corner_hz * seconds;

@@ -32,7 +32,7 @@ struct quaternion {
 };
 
 struct attitude {
-    bool knows; /* True after gravity was first measured. */
+    bool knows; /* True after gravity was measured for the first time, so that `turn` is valid. */
     struct quaternion turn;
     vec3 bias_rad_s; /* Bias of the gyroscope in rad/s, in the axes of the poi. */
     float still_s;   /* Time in seconds for which the poi has been still. */
@@ -86,7 +86,7 @@ struct readings {
 
 /* State of the position filter. The constants of the filter are in attitude.c. */
 struct steady {
-    bool begun; /* True after the first position. */
+    bool begun; /* True after the filter has received its first position. */
     /* Filtered position, filtered speed, and last unfiltered position. Positions are in metres. */
     vec3 place_m, speed_m_s, raw_m;
 };

@@ -21,8 +21,8 @@
 /* ---- Observation of the sensors -------------------------------------------------------------- */
 
 #define OBSERVATION_READINGS 50u /* Number of readings of the sensors in one observation. */
-/* Pause in ns between two readings during the calibration, so that an observation takes one second.
- */
+/* Pause in ns between two readings during the calibration. OBSERVATION_READINGS readings then take
+ * one second. */
 #define CALIBRATE_PAUSE_NS 20000000
 
 /* Holds the result of OBSERVATION_READINGS readings of all sensors. */
@@ -62,8 +62,9 @@ static void observe_sensors(struct sensors *sensors, long pause_ns, struct obser
 
 /* ---- Calibration of the wires ---------------------------------------------------------------- */
 
-/* Maximum range of the converter steps while the user holds the eye (the point where the wires
- * meet) on a mark. 20 steps are 5 mm of wire. */
+/* The calibration accepts a mark only if the converter steps of each wire vary by at most this
+ * number while the user holds the eye (the point where the wires meet) on the mark. 20 steps are 5
+ * mm of wire. */
 #define STILL_STEPS 20.0f
 
 /* Prints an instruction, waits until the user presses Enter, and observes the sensors for one
@@ -171,8 +172,8 @@ enum exit_code commands_calibrate(const struct poi_config *config, const char *r
 /* ---- Self-test ------------------------------------------------------------------------------- */
 
 #define OBSERVATION_STEP_S 0.02f
-/* Maximum range of the converter steps while the poi is at rest. 8 steps are 2 mm of wire. With a
- * working converter, the means of four readings vary less. */
+/* Largest accepted variation of a wire's converter steps while the poi is at rest. 8 steps are 2 mm
+ * of wire. With a working converter, the means of four readings vary less. */
 #define NOISE_STEPS_MAX 8.0f
 /* Maximum difference between the measured gravity and g, as a fraction of g. A larger difference
  * means that the inertial chip is defective or that the poi moves. */

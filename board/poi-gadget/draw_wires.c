@@ -56,10 +56,11 @@ enum draw_wires_result draw_wires_meet(const vec3 spool_m[DRAW_WIRE_COUNT],
     const float x_m = (a - b + d * d) / (2.0f * d);
     const float y_m = (a - c + i * i + j * j - 2.0f * i * x_m) / (2.0f * j);
     /* `below` is the square of the depth of the eye below the plane of the spools, in m^2. The eye
-     * is the point on the poi's neck at which the three wires meet. */
+     * is the point on the poi's neck at which the three wires meet. If the wires are too short to
+     * meet, `below` is negative. */
     const float below = a - x_m * x_m - y_m * y_m;
-    /* The square of the depth is negative if the wires are too short to meet. The limit is the
-     * value for wires that are too short by DRAW_WIRE_SLACK_M. */
+    /* A small negative value is tolerated. The limit corresponds to wires that are too short by
+     * DRAW_WIRE_SLACK_M. */
     if (below < -2.0f * DRAW_WIRE_SLACK_M * length_m[0]) {
         return DRAW_WIRES_APART;
     }
@@ -93,7 +94,7 @@ const char *draw_wires_text(enum draw_wires_result result)
 
 /* ---- Calibration ----------------------------------------------------------------------------- */
 
-/* The fit uses steps and lengths relative to their means over all marks, because differences of
+/* All steps and lengths are used as differences from their means over all marks, because sums of
  * large numbers would have larger rounding errors. */
 
 void draw_wires_fit_add(struct wire_fit *fit, float step, float length_m)

@@ -102,7 +102,8 @@ static enum exit_code play_sensors(const struct poi_config *config,
     return code;
 }
 
-/* Runs the main loop with the selected source of poses. */
+/* Runs the main loop with the source of poses that the command line selects: sensors, simulated
+ * sensors or a script. */
 static enum exit_code stream_poses(struct poi_config *config, const struct arguments *arguments)
 {
     static struct pose_script_source script;
@@ -157,7 +158,8 @@ static enum exit_code run_poi_command(const char *name, struct arguments *argume
     if (!arguments->config && !arguments->simulate && !arguments->script) {
         arguments->config = CONFIG_DEFAULT;
     }
-    /* If no file is named, the defaults apply, which are sufficient for simulated sensors. */
+    /* If the command line names no configuration file, the default values apply. They are
+     * sufficient for simulated sensors. */
     poi_config_init(&config);
     if (arguments->config && !poi_config_load(&config, arguments->config)) {
         return access(arguments->config, R_OK) == 0 ? EXIT_BAD_DATA : EXIT_IO;

@@ -41,12 +41,12 @@ void poi_config_init(struct poi_config *config)
 struct setting {
     const char *name;
     bool (*set)(struct poi_config *config, const struct setting *setting, const char *value);
-    const char *expects; /* Part of the error message that describes the valid values. */
-    /* Number of the spool or of the wire that `set` stores, or the offset of the setting's field in
-     * struct poi_config. */
+    const char *expects; /* Text that describes the valid values in an error message. */
+    /* Index of the spool or of the wire whose value `set` stores. For all other settings, the
+     * offset of the field in struct poi_config. */
     size_t at;
-    /* For read_floats(): how many numbers are parsed, their minimum and maximum, and the factor
-     * that converts the numbers to the stored unit. */
+    /* Used by read_floats(): `count` is the number of values, `least` and `most` are the limits of
+     * each value, and `unit` is the factor that converts a value to the stored unit. */
     uint32_t count;
     float least, most, unit;
 };

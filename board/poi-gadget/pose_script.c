@@ -126,8 +126,8 @@ void pose_line_write(const struct poi_report *report, char text[POSE_LINE_SIZE])
 
 /* ---- Motion from pose to pose ---------------------------------------------------------------- */
 
-/* Tolerance in seconds for the end of a motion, because the sum of ten steps of 0.01 s is not
- * exactly 0.1 s in binary floating point. */
+/* Tolerance in seconds when the end of a motion is detected. It is needed because the sum of ten
+ * steps of 0.01 s is not exactly 0.1 s in binary floating point. */
 #define ROUNDING_S 1e-4f
 
 bool pose_glide_is_there(const struct pose_glide *glide)
@@ -202,7 +202,7 @@ int pose_tape_step(struct pose_tape *tape, float seconds, struct poi_report *out
         char text[POSE_LINE_SIZE];
         struct pose_line line;
         int got = 1, is_pose = 0;
-        /* Lines without a pose are skipped. */
+        /* Empty lines and comments contain no pose and are skipped. */
         while (!is_pose && (got = cut_line(tape, text)) == 1) {
             is_pose = pose_line_read(&line, text, &tape->why);
         }
@@ -221,7 +221,8 @@ int pose_tape_step(struct pose_tape *tape, float seconds, struct poi_report *out
 
 /* ---- Source of poses ------------------------------------------------------------------------- */
 
-/* Advances the script by all cycles of the main loop in `seconds`, and reports the last pose. */
+/* Advances the script by all cycles of the main loop that fit into `seconds`, and returns the pose
+ * of the last cycle. */
 static enum pose_result script_step(void *self, float seconds, struct poi_report *out)
 {
     struct pose_script_source *script = self;

@@ -59,8 +59,8 @@ struct pose_glide {
 /* Returns true if the simulated hand has reached its goal, or if no goal has been set. */
 bool pose_glide_is_there(const struct pose_glide *glide);
 
-/* Sets the next goal, which starts a new motion. If the present position is unknown, at the start
- * and after a lost pose, the hand jumps to the goal. */
+/* Sets the next goal, which starts a new motion. At the start and after a lost pose, the present
+ * position is unknown. In this case the hand jumps to the goal. */
 void pose_glide_send(struct pose_glide *glide, const struct pose_line *to);
 
 /* Advances the motion by `seconds`, and writes the position, the angles and the buttons to `out`.
@@ -98,8 +98,8 @@ struct pose_script_source {
 };
 
 /* Returns a source that reads lines from `fd`. The source reads only when data is available, and
- * never blocks. `name` must outlive the source. If the board misses cycles, the source skips the
- * same number of cycles in the script, so that the script keeps its timing. A key that is pressed
- * in a skipped line is reported in the next report. */
+ * never blocks. `name` must outlive the source. If the board misses cycles of the main loop, the
+ * source skips the same number of cycles in the script, so that the timing of the script stays
+ * correct. A key that is pressed in a skipped line is reported in the next report. */
 struct pose_source pose_script_source(struct pose_script_source *script, int fd, const char *name,
                                       uint32_t rate_hz);

@@ -29,7 +29,7 @@ static void on_signal(int number)
 
 struct beat {
     uint64_t next_ns, period_ns, begin_ns;
-    uint64_t count; /* Number of cycles that were due since the start of the loop. */
+    uint64_t count; /* Number of cycles that have become due since the start of the loop. */
     uint32_t late;  /* Number of due cycles that were skipped because the board was too slow. */
 };
 

@@ -52,10 +52,10 @@ struct run_options {
     bool prints;
 };
 
-/* Runs the loop until the source ends, the duration has passed, or a signal arrives. `sink` is not
- * used if `options->prints` is true. Otherwise prints statistics to standard error at the end.
- * Returns EXIT_OK, EXIT_IO if the device is missing at the start, or EXIT_BAD_DATA if the source
- * has an invalid pose. Asserts that the rate is in range. */
+/* Runs the loop until the source ends, the duration has passed, or a signal arrives. If
+ * `options->prints` is true, `sink` is not used. Otherwise the function prints statistics to
+ * standard error at the end. Returns EXIT_OK, EXIT_IO if the device is missing at the start, or
+ * EXIT_BAD_DATA if the source has an invalid pose. Asserts that the rate is in range. */
 enum exit_code run(const struct run_options *options, struct pose_source source,
                    struct force_sink sink);
 

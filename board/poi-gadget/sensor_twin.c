@@ -37,7 +37,7 @@ static const struct stroke {
     { false, POI_BUTTON_START, 0.9f, 0.00f, 0.045f, 0.06f, -38.0f, 0.0f },
     /* Holds the poi still above the water, because its shade attracts fish. */
     { false, 0, 1.2f, 0.00f, 0.045f, 0.06f, -38.0f, 0.0f },
-    /* Moves the poi into the water in the direction of the paper's plane. */
+    /* Moves the poi edge first into the water, in the direction of the paper's plane. */
     { false, 0, 0.6f, 0.00f, -0.070f, -0.06f, -38.0f, 0.0f },
     /* Moves the poi forward under the fish. */
     { false, 0, 0.5f, 0.00f, -0.070f, -0.10f, 0.0f, 0.0f },
@@ -75,7 +75,8 @@ void sensor_twin_scoop(struct scoop *scoop, float seconds, struct poi_report *ou
 
 /* ---- Sensors --------------------------------------------------------------------------------- */
 
-#define STEPS 4096.0f /* Number of steps of a 12-bit analog-to-digital converter. */
+/* Number of different values (steps) of a 12-bit analog-to-digital converter. */
+#define STEPS 4096.0f
 /* Change of the wire's length in metres over the full range of the converter. The potentiometer
  * makes ten turns, and the wire's drum has a circumference of 100 mm. */
 #define WIRE_SPAN_M 1.0f
@@ -91,8 +92,8 @@ void sensor_twin_calibrate(struct poi_config *config)
     }
 }
 
-/* Returns the mean of several samples with noise. Each sample is rounded to a whole step, as by a
- * real converter. */
+/* Returns the mean of several noisy samples of a wire whose exact converter value is `steps`. Each
+ * sample is rounded to a whole step, as by a real converter. */
 static float converted(struct sensor_twin *twin, float steps, uint32_t wire)
 {
     float sum = 0.0f;
@@ -117,7 +118,8 @@ static void compute_readings(struct sensor_twin *twin, const struct basis *axes,
     const vec3 speed_m_s = v3_scale(v3_sub(place_m, twin->place_m), 1.0f / seconds);
     const vec3 force = v3_scale(v3_sub(speed_m_s, twin->speed_m_s), 1.0f / seconds);
     const vec3 pull = v3_add(twin->begun > 1 ? force : v3(0, 0, 0), v3(0.0f, GRAVITY_M_S2, 0.0f));
-    /* For a small rotation, the angle is twice the vector part of the quaternion. */
+    /* The gyroscope measures the rotation since the previous reading. For a small rotation, the
+     * angle is twice the vector part of the quaternion. */
     const struct quaternion back = { twin->before.w, -twin->before.x, -twin->before.y,
                                      -twin->before.z };
     const struct quaternion d = attitude_quaternion_product(back, turn);

@@ -101,7 +101,7 @@ static const struct key_code {
 };
 #define CODE_COUNT (sizeof codes / sizeof codes[0])
 
-/* Adds the keys that the kernel reports as pressed to `held`. If the kernel returns an error,
+/* Adds to `held` the keys that the kernel reports as pressed. If the kernel returns an error,
  * `held` is unchanged. */
 static void ask_levels(struct keys *keys, int fd)
 {

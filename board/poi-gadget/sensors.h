@@ -74,7 +74,7 @@ bool sensors_open(struct sensors *sensors, const struct poi_config *config, cons
  * contains the readings of the sensors that responded. */
 bool sensors_read(struct sensors *sensors, struct readings *out);
 
-/* Number of consecutive failed readings of the sensors after which the poi's position counts as
+/* After this number of consecutive failed readings of the sensors, the poi's position counts as
  * unknown. */
 #define SENSOR_GONE_BEATS 25u
 
