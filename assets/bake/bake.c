@@ -146,11 +146,11 @@ static void header_bake(char **paths)
     bake_close(file, paths[0]);
 }
 
-/* All assets. An asset has either the size of its texels and a function that fills the texels, or a
- * function that writes its files. */
+/* List of all assets. For a texture, an entry has the size of the texels and a function that fills
+ * them. For any other asset, an entry has a function that writes the files. */
 static const struct asset {
     const char *name, *usage;
-    int path_count; /* Number of paths on the command line. */
+    int path_count; /* Number of paths that the asset expects on the command line. */
     size_t size;
     void (*fill)(uint8_t *texels);
     void (*bake)(char **paths);

@@ -13,12 +13,16 @@
 
 /* Sizes of the baked textures in texels. header_bake() writes these sizes to a header for the
  * renderer. */
-#define CAUSTICS_SIZE 256u /* Side of one tile of caustics, a power of two for mipmaps. */
-/* Number of layers of one loop of caustics. choose_waves() in caustics.c states how the number
- * relates to the waves. */
+/* Side of the square caustics texture in texels: a power of two, as mipmaps need. */
+#define CAUSTICS_SIZE 256u
+/* Number of pictures (texture layers) in one loop of the caustics animation. choose_waves() in
+ * caustics.c states how the number relates to the waves. */
 #define CAUSTICS_FRAMES 32u
-#define PATTERN_WIDTH 128u /* Width of a pattern, from snout to tail root. */
-/* Height of a pattern, which covers the body's girth once, beginning at the back. */
+/* Width of a pattern of fish skin in texels. The width covers the body from the snout to the tail
+ * root. */
+#define PATTERN_WIDTH 128u
+/* Height of a pattern of fish skin in texels. The height covers the body's girth once, beginning at
+ * the back. */
 #define PATTERN_HEIGHT 64u
 #define PATTERN_LAYERS 12u
 #define ENVIRONMENT_SIZE 128u
@@ -26,9 +30,10 @@
 #define PAPER_SIZE 128u
 /* Width of the font atlas, a texture width that OpenGL ES 3.0 guarantees. */
 #define FONT_ATLAS_WIDTH 2048u
-/* Maximum height of a page, a texture height that OpenGL ES 3.0 guarantees. */
+/* Maximum height of a page of the font atlas, a texture height that OpenGL ES 3.0 guarantees. */
 #define FONT_PAGE_ROWS_MAX 2048u
-/* Maximum number of pages. Two pages have 8 MiB, which is enough for all texts. */
+/* Maximum number of pages of the font atlas. Two pages have 8 MiB, which is enough for all
+ * texts. */
 #define FONT_PAGES_MAX 2u
 /* Value of an atlas texel that lies exactly on a letter's outline. The texels store the distance
  * from the outline. Smaller values lie outside the letter, and larger values lie inside. */
@@ -43,7 +48,7 @@
 #define TEXT_LANGUAGES 2u
 #define TEXT_KEYS_MAX 1024u
 
-/* Ends the bake with exit code 65 (invalid input data) and one line on standard error. */
+/* Prints one line to standard error, and ends the bake with exit code 65 (invalid input data). */
 _Noreturn void bake_fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Reads a whole file and adds a terminating zero. The caller frees the returned memory. Ends the
@@ -69,15 +74,15 @@ char *bake_trim(char *text);
 /* Writes `words` in capital letters. */
 void bake_put_capitals(FILE *file, const char *words);
 
-/* Declarations of functions that each fill the texels of one texture, beginning with row 0. The
- * channels are interleaved. */
+/* Each of these functions fills the texels of one texture, beginning with row 0. The channels of a
+ * texel are interleaved. */
 void bake_caustics(uint8_t *r8);
 void bake_patterns(uint8_t *rg8);
 void bake_environment(uint8_t *rgb8);
 void bake_wood(uint8_t *r8);
 void bake_paper(uint8_t *r8);
 
-/* A line of the user interface's text in assets/text/ja.txt or en.txt. */
+/* A line of a text file of the user interface (assets/text/ja.txt or en.txt). */
 struct text_line {
     char *key, *words;
     uint32_t line; /* Line number in the text file, beginning with 1. */
@@ -93,8 +98,8 @@ struct text_file {
 /* Reads `directory`/ja.txt and en.txt. Ends the bake if the files do not have the same keys. */
 void text_read(struct text_file files[TEXT_LANGUAGES], const char *directory);
 
-/* text_bake(), font_bake() and words_bake() each bake one asset. `paths` points to the paths on the
- * command line of the bake. */
+/* text_bake(), font_bake() and words_bake() each bake one asset. `paths` contains the paths from
+ * the command line of the bake. */
 
 /* Converts the texts of the folder paths[0] to an enum of the text keys, the C header paths[1], and
  * to a table of the texts of all languages, the C source paths[2]. */
@@ -114,8 +119,8 @@ void words_bake(char **paths);
 
 /* Returns a hash of `x`, `y` and `seed` in [0, 1). */
 float noise_hash01(int32_t x, int32_t y, uint32_t seed);
-/* Returns the next value of a pseudo-random sequence, in [0, 1). `*state` may have any initial
- * value. */
+/* Returns the next value of a pseudo-random sequence, in [0, 1). `*state` is the state of the
+ * sequence and may have any initial value. */
 float noise_random01(uint32_t *state);
 /* Returns smooth value noise in [0, 1]. The noise repeats after `period_x` and `period_y` cells. */
 float noise_2d(float x, float y, int32_t period_x, int32_t period_y, uint32_t seed);

@@ -4,8 +4,8 @@
  * A fine grid of light rays is traced through a surface of waves. Each ray is refracted by the
  * slope of the surface and adds its light at the point where it meets the floor. Each wave has a
  * whole number of cycles per tile and per loop, so that the result repeats in x, y and time without
- * a seam. Phases are whole steps of one table. Therefore no phase drifts, and rounding is the same
- * on every machine. */
+ * a seam. The phase of a wave is a whole index into one sine table of RAYS values. Therefore no
+ * phase drifts, and rounding is the same on every machine. */
 #include "assets/bake/bake.h"
 
 #include <assert.h>
@@ -17,19 +17,20 @@
 /* Number of light rays per texel in each direction, which is enough for a smooth picture. */
 #define RAYS_PER_TEXEL 4u
 #define RAYS (CAUSTICS_SIZE * RAYS_PER_TEXEL)
-#define WAVE_NUMBER_MIN 1.9f /* Minimum wave number of a wave, in cycles per tile. */
+#define WAVE_NUMBER_MIN 1.9f /* Minimum wave number (number of cycles per tile) of a wave. */
 #define WAVE_NUMBER_MAX 6.6f
 /* Distance in tiles by which a ray is shifted per unit of surface slope. The distance is
  * proportional to the water depth. */
 #define FOCUS 0.033f
-/* Exposure of the stored brightness. A brightness of b is stored as 1 - exp(-EXPOSURE * b). Flat
+/* Exposure of the stored picture. A texel with the brightness b stores 1 - exp(-EXPOSURE * b). Flat
  * water has the brightness 1. */
 #define EXPOSURE 0.30f
 
 struct wave {
-    int32_t kx, ky; /* Wave number in cycles per tile, along x and y. */
-    int32_t turns;  /* Number of cycles per loop. The sign is the direction in which the wave
-                       travels. */
+    int32_t kx, ky; /* Wave numbers along x and y, in cycles per tile. */
+    /* Number of cycles per loop of the animation. The sign is the direction in which the wave
+     * travels. */
+    int32_t turns;
     uint32_t phase; /* Initial phase, in units of 1 / RAYS of a cycle. */
     float slope_x, slope_y;
 };
@@ -37,10 +38,9 @@ struct wave {
 /* Chooses the waves. Longer waves are higher. Directions are random, and every second wave travels
  * backward.
  *
- * Each wave has one cycle per loop, so that longer waves are faster. The number of cycles also
- * limits the speed of the bright lines, which move less than five texels from one layer to the
- * next. The renderer blends two successive layers, and such a short movement is not visible as a
- * step. */
+ * Each wave has one cycle per loop, so that longer waves are faster. With one cycle per loop, the
+ * bright lines move less than five texels from one layer to the next. The renderer blends two
+ * successive layers, and such a short movement is not visible as a step. */
 static void choose_waves(struct wave waves[WAVES])
 {
     uint32_t random = 4711;

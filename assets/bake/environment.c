@@ -28,9 +28,9 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
     static const struct colour paper = { 1.0f, 0.56f, 0.22f }, red = { 1.0f, 0.26f, 0.12f };
     static const float rows[3][3] = { { -0.85f, 0.50f, 7.0f },
                                       { -0.45f, 0.80f, 6.0f },
-                                      { 0.35f, 0.90f, 5.0f } }; /* Position z, height, and number of
-                                                                   lanterns of each string of
-                                                                   lanterns. */
+                                      /* Each string of lanterns: its position z, its height, and
+                                       * its number of lanterns. */
+                                      { 0.35f, 0.90f, 5.0f } };
     for (uint32_t row = 0; row < 3; row++) {
         const int32_t count = (int32_t)rows[row][2];
         for (int32_t i = 0; i < count; i++) {
@@ -51,8 +51,9 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
 /* Adds the beam and the striped edge of the awning at the far side of the stall. */
 static void add_awning(struct colour *at, float x, float y, float z)
 {
-    const float up = y / fmaxf(-z, 0.02f); /* `up` is the tangent of the elevation angle of a
-                                              direction toward the far side (-z). */
+    /* `up` is the height of a direction divided by its distance toward the far side (-z), which is
+     * the tangent of the elevation angle. */
+    const float up = y / fmaxf(-z, 0.02f);
     const float inside =
         z < 0.0f ? noise_ramp(0.22f, 0.25f, up) * noise_ramp(0.42f, 0.39f, up) : 0.0f;
     const float stripe = noise_ramp(-0.12f, 0.12f, sinf(x / fmaxf(-z, 0.02f) * 14.0f));
@@ -67,9 +68,9 @@ void bake_environment(uint8_t *rgb8)
         for (uint32_t column = 0; column < ENVIRONMENT_SIZE; column++) {
             const float px = ((float)column + 0.5f) / (float)ENVIRONMENT_SIZE * 2.0f - 1.0f;
             const float pz = ((float)row + 0.5f) / (float)ENVIRONMENT_SIZE * 2.0f - 1.0f;
-            const float r2 = fminf(px * px + pz * pz, 1.0f); /* The corners of the picture are
-                                                                outside the map and repeat the
-                                                                horizon. */
+            /* The corners of the picture lie outside the round map. They repeat the colour of the
+             * horizon. */
+            const float r2 = fminf(px * px + pz * pz, 1.0f);
             const float y = (1.0f - r2) / (1.0f + r2), x = px * (1.0f + y), z = pz * (1.0f + y);
             const float low = expf(-3.2f * y);
             const float cloud = noise_2d_sum(x * 3.0f + 8.0f, z * 3.0f + 8.0f, 4096, 4096, 71, 4);

@@ -5,8 +5,8 @@
  * automatically.
  *
  * The font atlas holds the glyphs' distance fields on pages of equal size, one page below the
- * other. OpenGL ES 3.0 guarantees only array textures and textures of up to 2,048 texels a side.
- * The pages therefore become the layers of one array texture. */
+ * other. OpenGL ES 3.0 does not guarantee textures of more than 2,048 texels a side. It does
+ * guarantee array textures, so each page becomes one layer of an array texture. */
 #include "assets/bake/bake.h"
 
 #include <assert.h>
@@ -21,7 +21,8 @@
 #include "core/base/printable.h"
 
 #define GLYPHS_MAX 2048u
-/* Width of the margin around a glyph in atlas pixels, equal to FONT_EDGE / FONT_STEP. */
+/* Width of the margin around a glyph in atlas pixels. Texels at this distance outside the outline
+ * have the value 0 (FONT_EDGE / FONT_STEP). */
 #define FONT_PADDING 10
 #define KEY_PATTERNS_MAX 192u
 
@@ -141,8 +142,9 @@ static void add_base(struct face *face)
     if (names) {
         add_range(face, 0x3041, 0x3093); /* Hiragana. */
         add_range(face, 0x30a1, 0x30f4); /* Katakana. */
-        add_range(face, 0x30fb, 0x30fc); /* The middle dot and the prolonged sound mark of
-                                            katakana. */
+        /* Adds two characters of Japanese names: the katakana middle dot and the prolonged sound
+         * mark. */
+        add_range(face, 0x30fb, 0x30fc);
     }
 }
 
@@ -150,7 +152,8 @@ static void add_words(struct face *face, const struct text_file *file)
 {
     for (uint32_t i = 0; i < file->count; i++) {
         const struct text_line *line = &file->lines[i];
-        uint32_t pattern = 0; /* Index of the font's first pattern that matches the key. */
+        /* `pattern` becomes the index of the font's first pattern that matches the key. */
+        uint32_t pattern = 0;
         while (pattern < face->pattern_count &&
                fnmatch(face->patterns[pattern], line->key, 0) != 0) {
             pattern++;

@@ -24,10 +24,10 @@ struct patch {
 };
 
 struct design {
-    float base;   /* Redness of the skin outside the patches. 1 makes this skin red, and 0 leaves
+    float base; /* Redness of the skin outside the patches. 1 makes this skin red, and 0 leaves
                      this skin white. */
-    float belly;  /* Height on the flanks up to which the belly stays white. 0 is the belly, 1 is
-                     the back. */
+    /* Height on the flanks below which the skin stays white. 0 is the belly, 1 is the back. */
+    float belly;
     float ragged; /* Strength of the noise that deforms the edges of patches. */
     struct patch patches[PATCHES_MAX];
 };
@@ -71,8 +71,8 @@ static const struct design designs[PATTERN_LAYERS] = {
 };
 /* clang-format on */
 
-/* Returns the distance between `v` and `centre` round the girth, in body lengths. The sign is the
- * direction. */
+/* Returns the distance round the girth from `centre` to `v`, in body lengths. The distance is
+ * positive if `v` increases in this direction. */
 static float round_distance(float v, float centre)
 {
     const float d = v - centre;
@@ -91,8 +91,9 @@ static float patch_depth(const struct design *design, float u, float v)
         const float dv = round_distance(v, patch->v) / patch->width;
         sum += expf(-1.6f * (du * du + dv * dv));
     }
-    return sum - 0.202f; /* The constant 0.202 is exp(-1.6). With this value, a single patch ends at
-                            its half length and half width. */
+    /* A single patch ends at its half length and half width, because the sum there is exp(-1.6) =
+     * 0.202. */
+    return sum - 0.202f;
 }
 
 static float redness(uint32_t layer, float u, float v)
@@ -104,10 +105,8 @@ static float redness(uint32_t layer, float u, float v)
     const float fine = noise_2d_sum(u * 19.0f, v * 16.0f, 64, 16, 104u + layer * 8u, 2) - 0.5f;
     const float edge = design->ragged * (2.2f * coarse + 0.55f * fine);
     float depth = fmaxf(patch_depth(design, u, v), design->base > 0.0f ? 0.5f : -1.0f) + edge;
-    const float from_belly = fabsf(round_distance(v, 0.5f)) / GIRTH * 2.0f; /* Height of the point
-                                                                               on the flank. 0 is
-                                                                               the belly, and 1 is
-                                                                               the back. */
+    /* `from_belly` is the height of the point on the flank: 0 is the belly, and 1 is the back. */
+    const float from_belly = fabsf(round_distance(v, 0.5f)) / GIRTH * 2.0f;
     depth = fminf(depth, (from_belly - design->belly) * 2.0f + 0.6f * edge);
     if (design->belly <= 0.0f) {
         depth = fmaxf(depth, design->base - 0.5f);
@@ -121,7 +120,8 @@ static float scale_light(float u, float v)
 {
     const float row = (u - GILL) / (1.0f - GILL) * SCALE_ROWS;
     float best = 0.0f;
-    /* Scales of three rows may cover the point (u, v). The frontmost row is visible. */
+    /* Up to three overlapping rows of scales may cover the point (u, v). The frontmost row is
+     * visible. */
     for (int32_t i = 0; i < 3; i++) {
         const float centre = floorf(row) - (float)i + 0.5f;
         const float odd = fmodf(centre - 0.5f + 64.0f, 2.0f) * 0.5f;
@@ -134,9 +134,9 @@ static float scale_light(float u, float v)
     }
     const float back = 0.5f + 0.5f * cosf(TAU * v);
     const float fade = noise_ramp(GILL - 0.01f, GILL + 0.06f, u) * noise_ramp(0.05f, 0.35f, back);
-    const float flank = 0.25f - fabsf(v - 0.5f); /* Distance of the point from the middle of the
-                                                    right or left flank, as a fraction of the girth.
-                                                    0 means the middle. */
+    /* `flank` is the distance of the point from the middle of the right or left flank, as a
+     * fraction of the girth. */
+    const float flank = 0.25f - fabsf(v - 0.5f);
     const float gill = expf(-powf((u - GILL - 0.03f * (fabsf(flank) - 0.12f)) / 0.011f, 2.0f));
     return noise_mix(0.80f, 0.46f + 0.54f * best, fade) -
            0.26f * gill * noise_ramp(0.13f, 0.05f, fabsf(flank));

@@ -108,11 +108,13 @@ static void write_table(const struct text_file files[TEXT_LANGUAGES], const char
         fprintf(file, "    { /* %s */\n", language_names[i]);
         for (uint32_t k = 0; k < files[0].count; k++) {
             const struct text_line *line = find_key(&files[i], files[0].lines[k].key);
-            assert(line); /* text_read() has checked that all text files have the same keys, so the
-                             line exists. */
+            /* The line exists, because text_read() has checked that all text files have the same
+             * keys. */
+            assert(line);
             fputs("        \"", file);
             for (const char *c = line->words; *c != 0; c++) {
-                /* A question mark is escaped so that the C compiler finds no trigraph. */
+                /* A question mark is escaped, because the C compiler would replace a trigraph such
+                 * as ??=. */
                 fprintf(file, strchr("\"\\?", *c) ? "\\%c" : "%c", *c);
             }
             fputs("\",\n", file);

@@ -14,8 +14,8 @@ struct knot {
                            plank. */
 };
 
-/* Returns the distance by which the grain bends around the knots. `*core` receives the darkness of
- * the nearest knot, which falls from 1 at its centre to 0 outside. */
+/* Returns how far the knots of the plank bend the grain at (x, y), in texels. `*core` receives the
+ * darkness of the nearest knot, which falls from 1 at its centre to 0 outside. */
 static float bend(uint32_t plank, float x, float y, float *core)
 {
     assert(plank < PLANKS);
@@ -37,8 +37,8 @@ static float bend(uint32_t plank, float x, float y, float *core)
     return shift;
 }
 
-/* Returns the pattern of growth rings in wood that is cut lengthwise: a slowly varying height,
- * divided into growth seasons with sharp edges. */
+/* Returns the brightness of the wood at (x, y). The wood is cut lengthwise. Its growth rings are a
+ * slowly varying height that is divided into growth seasons with sharp edges. */
 static float grain(uint32_t plank, float x, float y, float *core)
 {
     const float shifted = y - bend(plank, x, y, core);
