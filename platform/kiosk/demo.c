@@ -15,16 +15,16 @@
 #include "platform/os/png.h"
 #include "platform/os/print.h"
 
-/* Simulated time of one frame: six ticks, which is about the time that a software renderer needs
- * for one picture. */
+/* Simulated duration of one frame: six ticks. A software renderer needs about the same time for one
+ * picture. */
 #define FRAME_NS 50000000ull
 #define START_NS FRAME_NS /* Simulated time at which START is pressed. */
 /* Simulated duration of one frame before the round. The frames before the round are not drawn. */
 #define PRELUDE_NS 100000000ull
 /* Maximum number of ticks before the round. */
 #define PRELUDE_TICKS_MAX (60u * CORE_TICK_HZ)
-/* Ticks after the start of the round until each poi has moved from the side of the tank to the
- * water. */
+/* Number of ticks from the start of the round until each poi has moved from the side of the tank to
+ * the water. */
 #define IN_ROUND_TICKS (3u * CORE_TICK_HZ / 4u)
 /* Seconds that the demonstration continues after the round, to move the last fish to the bowl and
  * to show the result. */
@@ -111,8 +111,8 @@ static enum kiosk_end demo_run_frames(struct demo *demo)
     const struct output *output = &session->kiosk.output;
     const bool is_replay = session->options.replay[0] != '\0';
     enum kiosk_end end = KIOSK_RUNS;
-    /* Runs frames without pictures until the round is in progress. Before the round, the bot's poi
-     * is beside the tank. */
+    /* Runs frames without pictures until the pois are over the water in the round. Before, the
+     * bot's poi is beside the tank. */
     while (!is_replay && end == KIOSK_RUNS && !*session->stop &&
            !(output->phase == PHASE_ROUND && output->tick - output->round_tick >= IN_ROUND_TICKS) &&
            output->tick < PRELUDE_TICKS_MAX) {
@@ -133,7 +133,7 @@ static enum kiosk_end demo_run_frames(struct demo *demo)
         }
         board_rehearsal_advance(FRAME_NS);
         demo->now_ns += FRAME_NS;
-        /* Print the progress. On a terminal one line is updated; otherwise one line is printed
+        /* Prints the progress. On a terminal, one line is updated. Otherwise one line is printed
          * every five seconds. */
         if (demo->now_ns % step_ns == 0) {
             fprintf(stderr, "%s%s: %4.1f of %.0f s, %u pictures%s", on_terminal ? "\r" : "",
@@ -200,8 +200,9 @@ enum exit_code demo_run(struct run_common *session)
     const struct board_options board = {
         .width = demo.width,
         .height = demo.height,
-        .on_demand = options->replay[0] != '\0', /* Without a replay, every frame is drawn because
-                                                    the demonstration measures its frame times. */
+        /* Pictures are drawn only on demand while a replay plays. In a demonstration without a
+         * replay, every frame is drawn, because the demonstration measures its frame times. */
+        .on_demand = options->replay[0] != '\0',
         .view = tank_preset(options->tank)->view,
         .library = &session->library,
     };
@@ -264,8 +265,9 @@ void demo_sheet_clear(struct contact_sheet *sheet)
 }
 
 struct span {
-    uint32_t begin, end; /* Range of source pixels that one target pixel covers, at least one
-                            pixel. */
+    /* First source pixel that a target pixel covers (`begin`), and the source pixel after the last
+     * one (`end`). At least one pixel is covered. */
+    uint32_t begin, end;
 };
 
 static struct span span_under(uint32_t index, uint32_t count, uint32_t source)

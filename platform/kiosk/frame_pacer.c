@@ -6,24 +6,23 @@
 
 #define FRAME_TICKS 2u
 #define FRAME_NS (NS_PER_S * FRAME_TICKS / CORE_TICK_HZ)
-/* Maximum difference between FRAME_NS and the duration of a frame that may belong to a 60 Hz
- * display with jitter. Frame rates of 50 .. 76 Hz are within the limit. */
+/* Maximum difference between FRAME_NS and the duration of a frame for which the frame may belong to
+ * a 60 Hz display with jitter. Frame rates of 50 .. 76 Hz are within the limit. */
 #define LIKE_60_HZ_NS 3500000ull
-/* Maximum difference between FRAME_NS and the duration of a frame that certainly belongs to a 60 Hz
- * display. Frame rates of 55 .. 66 Hz are within the limit. */
+/* Maximum difference between FRAME_NS and the duration of a frame for which the frame certainly
+ * belongs to a 60 Hz display. Frame rates of 55 .. 66 Hz are within the limit. */
 #define SURE_60_HZ_NS 1500000ull
 /* snap() runs exactly two ticks only if the simulated time differs from the clock by at most this
- * number of nanoseconds. The start of each frame may be 3 ms early or late, and therefore the
- * starts of two frames together cause a difference of up to 6 ms. */
+ * number of nanoseconds. The limit is 6 ms, because the start of a frame and the start of the
+ * previous frame may each be 3 ms early or late. */
 #define SNAP_NS 6000000ll
 /* Correction of the simulated time: each frame of a 60 Hz display removes 1/8 of the difference
  * between the simulated time and the clock. A correction is necessary because no display has
  * exactly 60 Hz. */
 #define DRIFT_SHARE 8
 
-/* Minimum mean frame time, in nanoseconds, that is attributed to vertical synchronization. A
- * display with this mean frame time or a longer one runs at 62 Hz or less and needs no frame
- * limiter. */
+/* A mean frame time of at least this length is attributed to vertical synchronization. The display
+ * then runs at 62 Hz or less, so no frame limiter is needed. */
 #define WAITS_NS 16000000ull
 /* Number of frames in the moving average of the frame time. 16 frames are about a quarter of a
  * second. */

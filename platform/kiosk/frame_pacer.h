@@ -7,9 +7,9 @@
 
 /* Maximum number of ticks per frame (0.5 s). Further ticks are dropped, because running them would
  * delay the next frame again. The maximum is high because a tick takes much less time than a
- * picture. Dropped ticks also affect the game: players continue to move in the time of dropped
- * ticks. The next ticks would then contain the whole motion, which would be faster than the
- * player's stroke and would tear the paper. */
+ * picture. It is also high because dropped ticks affect the game: players continue to move during
+ * the dropped time. The next ticks then contain this motion too. The poi would move faster than the
+ * player did, and would tear the paper. */
 #define FRAME_PACER_TICKS_MAX 60u
 
 struct frame_pacer {
@@ -25,8 +25,8 @@ struct frame_pacer {
 /* Returns the number of ticks to run in the frame that starts at `now_ns`. The first frame runs two
  * ticks. A frame of about 1/60 s also runs exactly two ticks, because timing jitter would otherwise
  * cause visible judder. The rule of two ticks applies while the simulated time differs from the
- * clock by at most 6 ms. Each other frame runs all complete ticks of the elapsed time and keeps the
- * remainder for the next frame. If the clock stops or goes back, no time elapses. */
+ * clock by at most 6 ms. Any other frame runs all complete ticks of the elapsed time and keeps the
+ * rest of the time for the next frame. If the clock stops or goes back, no time elapses. */
 uint32_t frame_pacer_ticks_due(struct frame_pacer *pace, uint64_t now_ns);
 
 /* Frame limiter for a display that has no vertical synchronization or is much faster than 60 Hz. */
@@ -65,7 +65,7 @@ struct frame_timing {
 void frame_timing_add(struct frame_timing *timing, uint64_t duration_ns);
 
 /* Returns the quantile of all durations for the fraction `share` in [0, 1]: at least this fraction
- * of the durations is at most as long as the result. 0.5 gives the median. The error is at most
- * half the width of a histogram bin. Returns max_ns if the result is in the last bin, and 0 if no
+ * of the durations is not longer than the result. 0.5 gives the median. The error is at most half
+ * the width of a histogram bin. Returns max_ns if the result is in the last bin, and 0 if no
  * duration was added. */
 uint64_t frame_timing_quantile_ns(const struct frame_timing *timing, double share);

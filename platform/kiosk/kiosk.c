@@ -63,16 +63,17 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     memset(kiosk, 0, sizeof *kiosk);
     cpu_set_float();
     kiosk->config = *config;
-    kiosk->switches.active = 1u << HAL_COIN_LOCKOUT; /* Initially the coin lockout is on and all
-                                                        other outputs are off. */
+    /* The drivers start with the coin lockout on and all other outputs off. */
+    kiosk->switches.active = 1u << HAL_COIN_LOCKOUT;
     kiosk->saving.accepted_id = kiosk->output.entry_id = config->core.persistent.ledger.last_id;
     const enum core_error error = core_init(&kiosk->core, &config->core);
     if (error != CORE_OK) {
         return error;
     }
     output_audio_open(&kiosk->voice, &hal->audio, hal_now_ns(hal->clock));
-    read_wall(kiosk, hal); /* The first call reads the time zone in the C library, which allocates
-                              memory. */
+    /* Reads the wall clock once here, because the first call reads the time zone in the C library,
+     * which allocates memory. */
+    read_wall(kiosk, hal);
     hal->slots.ops->arrange(hal->slots.self, true);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         open_slot(kiosk, hal, i);
@@ -220,8 +221,8 @@ static bool prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_coun
 }
 
 /* Runs one tick. Returns false and sets kiosk->end if the core rejects the tick, otherwise returns
- * true. session_recorder_before() must be the first call, because it blocks the calling thread if
- * another thread panics. */
+ * true. session_recorder_before() must be the first call: if another thread has panicked, this call
+ * blocks, so that the tick does not change the state any more. */
 static bool run_tick(struct kiosk *kiosk)
 {
     CORE_ASSERT(kiosk->output.sound_count <= OUTPUT_SOUND_MAX);
@@ -256,8 +257,9 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
     CORE_ASSERT(tick_count <= FRAME_PACER_TICKS_MAX);
     uint32_t done = 0;
     kiosk->output.sound_count = 0;
-    if (tick_count > 0) { /* In a frame without ticks the poi forces of the previous frame remain
-                             set. */
+    /* The forces are cleared only in a frame with ticks. In a frame without ticks, the forces of
+     * the previous frame stay set. */
+    if (tick_count > 0) {
         memset(kiosk->felt, 0, sizeof kiosk->felt);
     }
     kiosk->float_resets += (uint32_t)cpu_set_float(); /* Restores the floating-point control
@@ -352,8 +354,8 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     const uint32_t tick_due = frame_pacer_ticks_due(&kiosk->pace, hal_now_ns(hal->clock));
     sample_devices(kiosk, hal);
     if (tick_due > 0) {
-        /* Adds the waiting time of each poi report to the statistics. The end of the waiting
-         * time is read from the clock that also stamped the reports. */
+        /* Adds the waiting time of each poi report to the statistics. The waiting time ends now.
+         * The time is read from the clock that also stamped the reports. */
         const uint64_t now_ns = hal_now_ns(hal->clock);
         for (uint32_t i = 0; i < POI_MAX; i++) {
             sampler_poi_time(&kiosk->samplers[i], now_ns, &kiosk->report_wait);

@@ -66,7 +66,8 @@ struct kiosk_faults {
 uint32_t kiosk_fault_count(const struct kiosk_faults *faults);
 
 /* Progress of passing ledger entries and edits of the growth lab to the store, which may be busy,
- * fail or be absent. An entry or edit is passed again and again until the store accepts it. */
+ * fail or be absent. An entry or edit is passed again in each attempt until the store accepts
+ * it. */
 struct saving {
     /* Id of the newest ledger entry that is settled: the store accepted the entry, or no store
      * exists. */
@@ -104,8 +105,8 @@ struct kiosk {
     struct offline_flush late;
     struct output_audio voice;
     struct output_lines switches;
-    /* Latest time of a requested restart. Until then the restart waits for the store. 0 means no
-     * request. */
+    /* Time at which a requested restart happens at the latest. Until then the restart waits for the
+     * store. 0 means no request. */
     uint64_t restart_ns;
     /* Time until which a second press of the quit key ends the kiosk. 0 means no first press. */
     uint64_t quit_until_ns;
@@ -118,7 +119,8 @@ struct kiosk {
      * accepted the acknowledgement yet. */
     bool has_acknowledged;
     struct scene_machine machine; /* Newest result of the health monitor. */
-    uint8_t end;                  /* Reason why the frame loop ends (enum kiosk_end). */
+    /* Reason why the frame loop must end (enum kiosk_end). KIOSK_RUNS while the loop continues. */
+    uint8_t end;
 
     uint64_t frames;
     struct kiosk_faults faults;
@@ -150,8 +152,8 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
 enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal);
 
 /* Closes the store and counts its last faults. Call after the last frame. May block on the store.
- * Returns the number of lost ledger entries. An entry is lost if the store did not write it, or if
- * an existing store never accepted it. */
+ * Returns the number of lost ledger entries. An entry is lost if the store accepted it but did not
+ * write it, or if the store refused it until the end. Without a store, no entry counts as lost. */
 uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal);
 
 /* Sends the results of a frame with ticks to all devices except the display: plays sounds, sets

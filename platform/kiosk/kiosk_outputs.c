@@ -70,7 +70,8 @@ void kiosk_count_refused(struct kiosk *kiosk, const struct hal *hal)
     kiosk->saving.refused_seen = refused;
 }
 
-/* Returns true if the kiosk must restart in this frame. */
+/* Returns true if the kiosk must restart in this frame, to use a new store or because the operator
+ * requested a restart. */
 static bool must_restart(struct kiosk *kiosk, const struct hal *hal, bool is_replay)
 {
     /* The kiosk restarts to use a store that appeared after program start, but only while no game,
@@ -91,8 +92,8 @@ static bool must_restart(struct kiosk *kiosk, const struct hal *hal, bool is_rep
 
 /* A replay sends nothing to the output lines and to the ledger, and executes no commands, because
  * its coins were counted and its entries were stored during the recorded game. During a replay the
- * driver's coin lockout therefore stays on. The coin slot then returns each coin, which would
- * otherwise be lost. */
+ * coin lockout therefore stays on, and the coin slot returns each coin, which would otherwise be
+ * lost. */
 void kiosk_send_results(struct kiosk *kiosk, const struct hal *hal)
 {
     CORE_ASSERT(hal->audio.ops && hal->storage.ledger.ops);
@@ -116,7 +117,8 @@ void kiosk_send_results(struct kiosk *kiosk, const struct hal *hal)
         kiosk->faults.storage +=
             put_in_store(&kiosk->saving, storage, &kiosk->output, hal_now_ns(hal->clock));
     }
-    /* The recording of a score is stored after the score is on disk. */
+    /* The recording of a ranked round is passed to the store only after the entry of the round is
+     * on disk. */
     if (kiosk->config.sessions) {
         kiosk->faults.storage += session_recorder_offer(kiosk->config.sessions, storage);
     }

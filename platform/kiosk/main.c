@@ -18,8 +18,9 @@
 #include "platform/os/panic.h"
 
 static volatile sig_atomic_t stop;
-static struct run_common evening; /* State of the program. The structure is static because its size
-                                     of several MB is too large for the stack. */
+/* State of the program. The variable is static because the structure of several MB is too large for
+ * the stack. */
+static struct run_common evening;
 
 static void on_signal(int number)
 {
@@ -139,8 +140,8 @@ static enum exit_code kiosk_main_run(struct run_common *session)
     return run_interactive_run(session);
 }
 
-/* Replaces the process by a new one with the same options. If the package was updated, the new
- * process runs the new version. */
+/* Replaces this process by a new process of the same program with the same options. If the package
+ * was updated, the new process runs the new version. */
 static void begin_anew(const struct run_common *session, char **argv)
 {
     if (session->options.record[0]) {

@@ -72,7 +72,7 @@ bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *st
     struct batch batch = { .status = core_status(core),
                            .audits = core_audits(core),
                            .stored = &flush->stored };
-    /* Record the amounts of a transfer as transferred after the store has written the transfer. */
+    /* The store has written the last transfer, so its amounts now count as stored. */
     if (flush->is_sending && store->ops->offline_merged(store->self) == HAL_OK) {
         flush->stored = flush->sent;
         flush->stored_balance = flush->sent_balance;
@@ -82,9 +82,9 @@ bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *st
         return false;
     }
     const struct balance_change step = { flush->stored_balance, batch.status.balance };
-    /* Add one entry for each coin line that received coins. The audits contain only the total value
-     * of all coins, not the value of each coin line. Therefore the first entry gets the total
-     * value, and the other entries get 0. */
+    /* Adds one entry for each coin line that received coins. The audits contain only the total
+     * value of all coins, not the value for each coin line. Therefore the first entry gets the
+     * total value, and the other entries get 0. */
     uint32_t units = unflushed_count(&batch, AUDIT_UNITS);
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
         const uint32_t pulses = unflushed_count(&batch, AUDIT_COINS_1 + line);
@@ -94,8 +94,8 @@ bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *st
         }
     }
     add_credits(&batch);
-    /* Add the offline tickets as an entry for a round (LEDGER_ROUND) without players. The
-     * balance already contains the tickets. The entry only makes the audits count the tickets. */
+    /* Adds the offline tickets as an entry for a round (LEDGER_ROUND) without players. The balance
+     * already contains the tickets, so the entry changes only the ticket count of the audits. */
     const uint32_t count = unflushed_count(&batch, AUDIT_TICKETS);
     if (count > 0 && batch.count < BATCH_MAX) {
         add_entry(&batch, LEDGER_ROUND, 0, 0, count);
@@ -109,8 +109,9 @@ bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *st
     }
     if (batch.count == 0) {
         add_entry(&batch, LEDGER_HEALTH, 0, 0,
-                  0); /* A health entry whose counts are all 0 only stores the changed
-                                       balance. */
+                  /* The change of the balance needs an entry to carry it. A health entry whose
+                   * counts are all 0 stores nothing else. */
+                  0);
     }
     if (store->ops->merge_offline(store->self, &step, batch.entries, batch.count) == HAL_OK) {
         flush->sent = flush->stored;

@@ -7,9 +7,9 @@
 
 #include "core/base/panic.h"
 
-/* Returns the position, at most `limit`, at which a long line is cut. The line is cut after the
- * last remark that ends with ';', because the menu can translate only complete remarks. A line
- * without a ';' is cut at the end of a word. */
+/* Returns the length, at most `limit`, to which a long line is cut. The line is cut after its last
+ * complete remark, which ends with ';', because the menu can translate only complete remarks. A
+ * line without a ';' is cut at the end of a word. */
 static size_t end_before(const char *line, size_t limit)
 {
     for (size_t at = limit; at > 1u; at--) {
@@ -144,7 +144,8 @@ void operator_view_fill(struct scene *scene, const struct hal *hal,
 
 /* ---- Messages about files ------------------------------------------------------------------ */
 
-/* The notes are in one array: first the files that were not used, then the files that were used. */
+/* `note` contains first the notes about files that were not used, then the notes about files that
+ * were used. */
 
 _Static_assert(OPERATOR_NOTES_MAX + 2u <= UINT8_MAX,
                "struct controller_status counts rows in a byte");

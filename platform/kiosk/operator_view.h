@@ -50,7 +50,7 @@ uint8_t operator_view_file_count(const struct operator_notes *notes);
 
 /* State of all button and coin lines, with counts since program start. */
 struct operator_view_lines {
-    uint32_t raw, missing; /* Values of the newest struct button_sample. */
+    uint32_t raw, missing; /* Values of the newest struct button_sample, one bit for each line. */
     struct line_sample line[HAL_LINE_COUNT];
     uint32_t coins[COIN_LINE_COUNT];
 };
@@ -70,7 +70,7 @@ struct operator_view {
     uint64_t frame_ns; /* Median frame time in nanoseconds. 0 means unknown. */
 };
 
-/* Marks the scores whose replay is stored. While the operator's menu is shown, fills
- * scene->devices; otherwise leaves scene->devices unchanged. */
+/* Marks in `scene` the scores whose replay is stored. While the operator's menu is shown, also
+ * fills scene->devices. Otherwise leaves scene->devices unchanged. */
 void operator_view_fill(struct scene *scene, const struct hal *hal,
                         const struct operator_view *operator_view);

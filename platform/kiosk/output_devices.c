@@ -81,8 +81,8 @@ static uint32_t output_lines_set(struct output_lines *switches, const struct hal
     return (uint32_t)hal_is_fault(result);
 }
 
-/* Sends one pulse for each increase of `wanted` by 1 since the last accepted request. Returns 1 on
- * a fault, otherwise 0. */
+/* Requests one pulse of the output for each increase of the count `wanted` since the last accepted
+ * request. Returns 1 on a fault, otherwise 0. */
 static uint32_t send_new_pulses(struct output_lines *switches, const struct hal_switches *device,
                                 enum hal_switch which, uint32_t wanted, uint64_t now_ns)
 {
@@ -125,9 +125,9 @@ uint32_t output_lines_are_done(const struct output_lines *switches,
 /* Maximum time step in milliseconds. Limits the change of brightness after a delayed frame. */
 #define STEP_MS_MAX 100u
 
-/* Periods of the horizontal and vertical movement in milliseconds. The numbers of minutes (37 and
- * 23) have no common divisor. Therefore the picture reaches every position in its range within a
- * day. The picture moves by one pixel every few minutes. */
+/* Periods of the picture's slow horizontal and vertical movement in milliseconds. The numbers of
+ * minutes (37 and 23) have no common divisor. Therefore the picture reaches every position in its
+ * range within a day. The picture moves by one pixel every few minutes. */
 #define WANDER_X_MS (37u * 60000u)
 #define WANDER_Y_MS (23u * 60000u)
 #define WANDER_MS (37u * WANDER_Y_MS)
@@ -155,8 +155,8 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
     const uint64_t elapsed = is_first ? 0 : (now_ns - dimmer->seen_ns) / NS_PER_MS;
     dimmer->seen_ns = is_first ? now_ns : dimmer->seen_ns + elapsed * NS_PER_MS;
     const uint32_t ms = elapsed < STEP_MS_MAX ? (uint32_t)elapsed : STEP_MS_MAX;
-    /* Detects pois that have moved. Positions are not validated because a non-finite position does
-     * not count as a movement. */
+    /* Detects whether a poi has moved. Positions are not validated, because a comparison with a
+     * non-finite position never counts as a movement. */
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const vec3 at_m = input->poi[i].target.position_m;
         const float moved_m = v3_length(v3_sub(at_m, dimmer->hand_m[i]));
@@ -171,8 +171,8 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
         dimmer->was_stirred = false;
     }
     const uint64_t idle_s = (now_ns - dimmer->touched_ns) / NS_PER_S;
-    /* The target brightness `wanted` is a fraction of the brightness that the operator has set. The
-     * night may include midnight. */
+    /* `wanted` is the target brightness as a fraction of the brightness that the operator has set.
+     * The following lines determine whether it is night. The night may include midnight. */
     const int32_t from = value[SET_NIGHT_FROM_MIN], to = value[SET_NIGHT_TO_MIN];
     const bool is_after = input->minute >= from, is_before = input->minute < to;
     const bool is_night = input->day != 0 && from != to &&

@@ -85,10 +85,11 @@ struct output_dimmer {
     /* Current brightness as a fraction [0, 1] of the brightness that the operator has set. The
      * fraction changes gradually. */
     float light;
-    /* Phase of the slow movement in milliseconds. Wraps around at the end of its period. */
+    /* Phase of the picture's slow movement in milliseconds. The phase returns to 0 at the end of
+     * its period. */
     uint32_t wander_ms;
-    /* True if a button press, a coin, a poi movement or a running game was detected after the
-     * previous call of output_dimmer_step(). */
+    /* True if input was detected since the previous call of output_dimmer_step(): a button press, a
+     * coin, a poi movement or a running game. */
     bool was_stirred;
     vec3 hand_m[POI_MAX]; /* Position in metres of each poi at its last detected movement. */
 };

@@ -263,8 +263,8 @@ int run_common_shot(struct run_common *session, const char *path, struct hal_ima
 {
     int result = capture_display_image(session, image);
     const size_t needed = (size_t)image->width * image->height * 3;
-    if (result != HAL_OK && needed > session->rgb_size) { /* The window has grown after the last
-                                                             picture was taken. */
+    /* The window has become larger since the last picture, so the buffer is enlarged. */
+    if (result != HAL_OK && needed > session->rgb_size) {
         result = run_common_make_room(session, image->width, image->height) == EXIT_OK
                      ? capture_display_image(session, image)
                      : HAL_ERR_IO;

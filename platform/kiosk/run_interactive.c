@@ -144,7 +144,7 @@ static enum kiosk_end run_interactive_loop(struct run_common *session)
         const uint64_t begin_ns = hal_now_ns(clock);
         end = kiosk_frame(&session->kiosk, &session->hal);
         panic_evidence_note_frame(&session->evidence);
-        /* Report once when the display is lost and once when the display is back. */
+        /* Reports once when the display is lost and once when the display is back. */
         const struct hal_display *display = &session->hal.display;
         const bool is_away = session->kiosk.display_retry_ns > 0;
         if (is_away != was_away) {
@@ -152,16 +152,16 @@ static enum kiosk_end run_interactive_loop(struct run_common *session)
                         display->ops->describe(display->self));
             was_away = is_away;
         }
-        /* Report a changed floating-point control register once, because a library that changes the
-         * register changes the register in each frame. */
+        /* Reports a changed floating-point control register only once, because a library that
+         * changes the register does so in each frame. */
         if (session->kiosk.float_resets > 0 && !is_float_reported) {
             log_print(LOG_LEVEL_WARNING,
                       "a library changed how this thread computes (denormal numbers or "
                       "rounding): it is set back before each frame");
             is_float_reported = true;
         }
-        /* Take a picture if one is due. After the first failure no more pictures are taken, so that
-         * the error is reported only once. */
+        /* Takes a picture if one is due. After the first failure no more pictures are taken, so
+         * that the error is reported only once. */
         char path[OPTIONS_PATH_MAX + 32];
         struct hal_image image;
         if (session->options.shots[0] && shots < UINT32_MAX &&
@@ -214,7 +214,7 @@ enum exit_code run_interactive_run(struct run_common *session)
             print_line(stdout, "  %-9s %s", devices[i].part, devices[i].text);
         }
     }
-    /* Print the player slots that have no controller. */
+    /* Prints the player slots that have no controller. */
     char text[HAL_TEXT_SIZE] = "";
     for (uint32_t i = 1; i < session->kiosk.core.config.players; i++) {
         if (!session->kiosk.config.bot[i] && session->kiosk.samplers[i].link == POI_SOURCE_ABSENT) {

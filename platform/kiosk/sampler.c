@@ -6,11 +6,11 @@
 
 #define RETRY_NS 1000000000ull
 #define TICK_NS (NS_PER_S / CORE_TICK_HZ)
-/* Limit in nanoseconds for the time between the first and the last report of a frame, in addition
- * to the time of the frame's ticks. If the limit is exceeded, the motion is not interpolated. */
+/* If the first and the last report of a frame are further apart than the time of the frame's ticks
+ * plus this limit (in nanoseconds), the motion is not interpolated. */
 #define UNSEEN_NS 100000000ull
 
-/* Returns the enum poi_source of a device whose open() returned `result`. */
+/* Returns the connection state (enum poi_source) of a device whose open() returned `result`. */
 static uint8_t link_after_open(int result)
 {
     return result == HAL_OK           ? POI_SOURCE_LIVE
@@ -107,8 +107,8 @@ void sampler_poi_at(const struct poi_sampler *sampler, uint32_t index, uint32_t 
                                                   : UINT16_MAX;
     /* If the reports span much more time than the frame's ticks, the kiosk was delayed and has
      * dropped ticks. Interpolation would compress the motion of the whole delay into the remaining
-     * ticks, faster than the player's motion. Each tick therefore gets the newest pose, and the
-     * first tick has the flag `has_gap`. */
+     * ticks, and the poi would move faster than the player did. Each tick therefore gets the newest
+     * pose, and the first tick has the flag `has_gap`. */
     const struct poi_sample *path = sampler->path.path;
     const uint32_t last = sampler->path.count - 1u;
     const bool is_unseen = out->link == POI_SOURCE_LIVE &&
@@ -139,7 +139,9 @@ bool sampler_path_push(struct sampler_path *resampler, const struct poi_sample *
     if (resampler->count > 0) {
         const uint64_t newest_ns = resampler->path[resampler->count - 1u].time_ns;
         if (next.time_ns <= newest_ns) {
-            next.time_ns = newest_ns; /* Keeps the times along the path from decreasing. */
+            /* A report that is out of order gets the time of the newest report, so that the times
+             * along the path never decrease. */
+            next.time_ns = newest_ns;
             resampler->count -= resampler->count > 1;
         }
     }
@@ -171,8 +173,8 @@ struct poi_target sampler_path_at(const struct sampler_path *resampler, uint32_t
         next++;
     }
     const uint64_t from_ns = path[next - 1].time_ns;
-    const uint64_t gap_ns = path[next].time_ns - from_ns; /* The gap is 0 only if all reports of the
-                                                             path lie within a few nanoseconds. */
+    /* `gap_ns` is 0 only if all reports of the path lie within a few nanoseconds. */
+    const uint64_t gap_ns = path[next].time_ns - from_ns;
     const float t = gap_ns > 0 ? (float)(time_ns - from_ns) / (float)gap_ns : 1.0f;
     return input_pose_between(&path[next - 1].target, &path[next].target, t, (float)gap_ns * 1e-9f,
                               path[next].has_wrist);

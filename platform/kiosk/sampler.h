@@ -73,8 +73,8 @@ struct poi_sampler {
     bool was_seen; /* True if the controller has sent at least one report after program start. */
     /* Arrival times of reports that no tick has used yet. */
     uint64_t waiting_ns[HAL_POI_SAMPLES_MAX];
-    /* Number of entries in `waiting_ns`. When `waiting_ns` is full, the waiting time of a further
-     * report is not measured. */
+    /* Number of entries in `waiting_ns`. If `waiting_ns` is full, the waiting times of further
+     * reports are not measured. */
     uint32_t waiting_count;
 };
 
@@ -110,8 +110,8 @@ void sampler_poi_time(struct poi_sampler *sampler, uint64_t now_ns, struct frame
  * fast movement. */
 
 struct fan_sampler {
-    /* Position at the last tick of the previous frame (`from`), and newest position from the device
-     * (`to`). The caller copies `to` to `from` after the last tick of a frame. */
+    /* `from` is the fan's position at the last tick of the previous frame, and `to` is the newest
+     * position from the device. The caller copies `to` to `from` after the last tick of a frame. */
     struct shade_input from, to;
     uint64_t retry_ns; /* Time of the next attempt to open a lost device. */
     /* Connection state of the device (enum poi_source), never POI_SOURCE_BOT. */

@@ -179,7 +179,8 @@ static const char *const watch_names[] = {
 
 #define NAME_OF(names, value, other) name_of(names, sizeof(names) / sizeof(names)[0], value, other)
 
-/* Returns the name of `value`, or `other` if the table has no name for the value. */
+/* Returns the name of `value` in the table `names`, or `other` if the table has no name for the
+ * value. */
 static const char *name_of(const char *const *names, size_t count, uint8_t value, const char *other)
 {
     return value < count && names[value] ? names[value] : other;

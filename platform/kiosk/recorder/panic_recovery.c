@@ -38,7 +38,7 @@ static void *outlive_refused(void *self)
     pthread_setname_np(pthread_self(), "evidence");
     while (clock_nanosleep(CLOCK_MONOTONIC, 0, &left, &left) == EINTR) {
     }
-    /* Clear the count of panics after ten minutes without a panic, because such a long run shows
+    /* Clears the count of panics after ten minutes without a panic, because such a long run shows
      * that the stored data are not the cause. If a panic occurs at the same time, the count is not
      * cleared. */
     atomic_store(&evidence->is_clearing, true);
@@ -68,7 +68,7 @@ static void leave_out(struct evidence *evidence)
     panics->attempt = LEFT_NOTHING;
     write_count(evidence);
     if (panics_is_due(panics)) {
-        /* Start the thread that clears the count of panics after ten minutes. If no thread can be
+        /* Starts the thread that clears the count of panics after ten minutes. If no thread can be
          * created, the count stays, and the next program start leaves out the same part of the data
          * once more. */
         pthread_t thread;
@@ -96,8 +96,8 @@ static void hold_and_leave_out(struct evidence *evidence)
     }
     const bool is_read = panics_read(panics, evidence->folder - 1) == 0;
     if (is_read && panics->attempt != LEFT_NOTHING) {
-        /* Clear the count of panics and keep all data, because the previous start ended during its
-         * attempt to remove data. */
+        /* Clears the count of panics and keeps all data, because the previous program start ended
+         * while it tried to leave out data. */
         log_print(LOG_LEVEL_ERROR,
                   "the last start ended while it left out %s; this start leaves out no data",
                   panics_left_name(evidence->panics.attempt));
@@ -190,13 +190,14 @@ static void evidence_log_error(const struct evidence *evidence, const char *reas
 
 bool panic_evidence_write(struct evidence *evidence, const char *reason)
 {
-    /* Wait until the count of panics is written, at most EVIDENCE_WAIT_MS milliseconds. */
+    /* Waits until no other thread writes the count of panics, at most EVIDENCE_WAIT_MS
+     * milliseconds. */
     atomic_store(&evidence->has_panicked, true);
     for (int i = 0; i < EVIDENCE_WAIT_MS && atomic_load(&evidence->is_clearing); i++) {
         poll(NULL, 0, 1);
     }
-    /* Stop the thread that runs the ticks. Before panic_evidence_open() that thread is the main
-     * thread. */
+    /* Stops the thread that runs the ticks. Before panic_evidence_open() was called, this thread is
+     * the main thread. */
     const bool is_own = gettid() == (evidence->thread != 0 ? evidence->thread : getpid());
     const bool is_sound =
         evidence->sessions ? session_recorder_freeze(evidence->sessions, is_own) : is_own;

@@ -18,8 +18,8 @@
 #include "platform/kiosk/recorder/session_recorder.h"
 #include "platform/panics.h"
 
-/* State of the panic handler. The caller owns the structure and initializes it to zero. The address
- * must not change. */
+/* State of the panic handler. The caller owns the structure and initializes it to zero. The
+ * structure must stay at its address. */
 struct evidence {
     /* Descriptor of the data folder plus 1. 0 means no data folder. */
     int folder;
@@ -34,7 +34,7 @@ struct evidence {
     /* Count of panics. The file of panics.h stores the same count. */
     struct panics panics;
     atomic_bool has_frame; /* True if the first frame was shown. */
-    /* True if panic_evidence_write() has started. Afterwards only panic_evidence_write() uses
+    /* True after panic_evidence_write() has started. From then on only panic_evidence_write() uses
      * `panics`. */
     atomic_bool has_panicked;
     /* True while a thread clears `panics` after ten minutes without a panic. */
@@ -55,7 +55,7 @@ void panic_evidence_open(struct evidence *evidence, const char *data,
 void panic_evidence_note_frame(struct evidence *evidence);
 
 /* Handles a panic: stops the thread that runs the ticks, writes the replay and the count of panics,
- * and reports `reason` and the results in one line. Returns false if the thread that runs the ticks
- * may still change the core and its recordings, or if the panic interrupted a change; otherwise
- * returns true. Async-signal-safe. */
+ * and reports `reason` and the results in one line. Returns true if the core and its recordings are
+ * in a consistent state. Returns false if the thread that runs the ticks may still change them, or
+ * if the panic interrupted a change. Async-signal-safe. */
 bool panic_evidence_write(struct evidence *evidence, const char *reason);

@@ -32,8 +32,8 @@ static int settle(struct pin_sweep *sweep, struct ledger_file *file, size_t size
     return code;
 }
 
-/* Ends the examination of a replay that cannot be cleared of a PIN. The replay stays until the next
- * start if the core refused to run, because the replay may then be valid. */
+/* Ends the examination of a replay from which the PIN cannot be removed, and deletes the replay. If
+ * the core refused to run, the replay may be valid and stays until the next start. */
 static int give_up(struct pin_sweep *sweep, struct ledger_file *file)
 {
     if (sweep->verifier.is_refused) {

@@ -175,7 +175,7 @@ struct kiosk_tap recorder_tap(struct recorder *recorder)
 
 int recorder_end(struct recorder *recorder)
 {
-    /* The core must not be hashed if no recording is open, because the core may not exist. */
+    /* The core is hashed only if a recording is open. Otherwise the core may not exist. */
     return replay_finish(&recorder->writer,
                          replay_is_open(&recorder->writer) ? core_hash(recorder->core) : 0);
 }

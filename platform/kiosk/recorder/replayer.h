@@ -37,7 +37,7 @@ struct kiosk_source {
  * The recorder gets each input before the tick. If the tick panics, the recording ends with the
  * input of that tick. Replaying the recording panics at the same tick. */
 
-/* Number of rounds, catches and fouls after the last tick, used to detect increases. */
+/* Numbers of rounds, catches and fouls after the previous tick, used to detect increases. */
 struct recorder_tally {
     uint32_t rounds, caught[POI_MAX], fouls[POI_MAX];
 };
@@ -118,8 +118,8 @@ int replayer_begin_in(struct replayer *replayer, const uint8_t *bytes, size_t si
 struct kiosk_source replayer_source(struct replayer *replayer);
 struct kiosk_tap replayer_tap(struct replayer *replayer);
 
-/* Returns true if a panic interrupted the newest tick, so that the recording has no state after the
- * newest tick. */
+/* Returns true if a panic interrupted the newest tick of the recording. The recording then contains
+ * no state after this tick. */
 bool replayer_is_interrupted(const struct replayer *replayer);
 
 /* Closes the recording. */

@@ -11,15 +11,18 @@ void score_playback_request(struct score_playback *playback, uint32_t round_id)
 {
     CORE_ASSERT(round_id != 0);
     if (playback->is_asked) {
-        return; /* The store is still writing a previously requested replay to `bytes`. */
+        /* No new replay can be requested, because the store is still writing the previously
+         * requested replay to `bytes`. */
+        return;
     }
     playback->state = PLAYBACK_SEEKS;
     playback->is_open = playback->has_play = false;
     playback->round_id = round_id;
     playback->end_ticks = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        playback->hand_y_m[i] = RULES_DIP_Y_M; /* A poi that is already below the water does not
-                                                 count as a dip. */
+        /* The previous height of each poi starts at the threshold of a dip, so that a poi that is
+         * already below the water does not count as a dip. */
+        playback->hand_y_m[i] = RULES_DIP_Y_M;
     }
 }
 
@@ -76,7 +79,8 @@ static void fetch_score_replay(struct score_playback *playback, const struct hal
     }
     playback->is_asked = false;
     if (playback->state == PLAYBACK_OFF) {
-        return; /* The playback was ended while the store loaded the replay. */
+        /* The playback was ended while the store loaded the replay, so the replay is not opened. */
+        return;
     }
     if (size <= 0) {
         playback->state = PLAYBACK_NONE;
@@ -99,7 +103,8 @@ static void seek(struct score_playback *playback, const struct hal_clock *stopwa
          i++) {
         bool is_over = false;
         if (!playback->has_play) {
-            const int more = replay_verifier_read(&playback->verifier); /* Parses one second. */
+            /* Parses one recorded second. */
+            const int more = replay_verifier_read(&playback->verifier);
             playback->has_play = more == 0;
             is_over = more < 0;
         } else if (replay_verifier_is_at_round(&playback->verifier)) {

@@ -81,7 +81,8 @@ static void keep_round(struct session_recorder *sessions, uint32_t round_id,
 void session_recorder_before(struct session_recorder *sessions, const struct input *input)
 {
     atomic_store(&sessions->is_busy, true);
-    /* Block the thread that runs the ticks forever if another thread has panicked. */
+    /* Another thread has panicked and reads the recording. Blocks this thread, which runs the
+     * ticks, forever. */
     while (atomic_load(&sessions->is_frozen)) {
         atomic_store(&sessions->is_busy, false);
         pause();
@@ -95,8 +96,9 @@ void session_recorder_tick(struct session_recorder *sessions, const struct input
 {
     const struct core_status status = core_status(core);
     atomic_store(&sessions->is_in_tick, false);
-    if (core_is_fresh(core)) { /* The new session's initial configuration already includes the
-                                  effect of the current tick. */
+    /* A new session has begun. Its initial configuration already includes the effect of the current
+     * tick. */
+    if (core_is_fresh(core)) {
         session_recorder_begin(sessions, core);
     } else {
         recorder_add_tick(&sessions->writer, &sessions->totals, &sessions->tally, input, core);
