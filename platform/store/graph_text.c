@@ -129,7 +129,8 @@ static bool graph_text_next_line(struct reading *reading)
     return end_reading(reading, "the file ends without 'end'");
 }
 
-/* Returns the text after `word` on the line, or null if the line does not start with `word`. */
+/* Returns the text that follows `word` on the current line, or null if the line does not start with
+ * `word`. */
 static const char *text_after_word(const struct reading *reading, const char *word)
 {
     const size_t length = strlen(word);
@@ -154,7 +155,7 @@ static int read_named_value(struct reading *reading, const char *word, const cha
     return -1;
 }
 
-/* Parses exactly `count` numbers. Returns false after an error. */
+/* Parses exactly `count` numbers from `rest` into `out`. Returns false after an error. */
 static bool parse_numbers(struct reading *reading, const char *rest, float *out, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {

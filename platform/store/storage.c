@@ -160,7 +160,7 @@ static int storage_open(void *self)
     }
     atomic_store(&storage->error, code == SQLITE_OK ? storage->file.refusal : code);
     if (code == SQLITE_OK) {
-        /* Copy the state that was read from the database. The core starts from this state. The
+        /* Copies the state that was read from the database. The core starts from this state. The
          * store's thread does not use the database yet. */
         storage->start = storage->file.content;
         storage->accepted_id = storage->start.memory.ledger.last_id;
@@ -174,8 +174,9 @@ static int storage_open(void *self)
         }
         atomic_store(&storage->has_file, true);
         if (storage->file.refusal == SQLITE_FULL) {
-            /* Close the database, because other programs cannot read a database that is open on a
-             * full card. */
+            /* Closes the database, so that other programs can read it. SQLite reads an open
+             * database only with the index of its write-ahead log, for which a full card has no
+             * space. */
             storage_close_file(storage);
         }
     } else {
@@ -266,13 +267,16 @@ static uint32_t storage_close(void *self)
         storage->has_thread = false;
         atomic_store(&storage->stop, false);
     }
-    storage->closes = true; /* No new backup is started during the close. After a power cut the
-                               previous backup therefore still exists. */
+    /* No new backup is started while the store is closed, so that the previous backup still exists
+     * after a power cut. */
+    storage->closes = true;
     ledger_backup_drop(&storage->backup);
-    storage_work(storage); /* Write the entries that arrived after the last write of the store's
-                              thread, and retry failed writes once. */
+    /* Writes the entries that arrived after the last write of the store's thread, and retries
+     * failed writes once. */
+    storage_work(storage);
     storage_save_deleted(storage);
-    /* An entry that is missing only in the mirror is in the database and therefore not lost. */
+    /* Counts the entries that are not in the database. An entry that is missing only in the mirror
+     * is not lost. */
     const unsigned pushed = atomic_load(&storage->pushed);
     uint32_t unsaved = 0;
     for (unsigned i = atomic_load(&storage->written); i != pushed; i++) {

@@ -48,8 +48,8 @@
 
 #define STORAGE_BACKUP_SUFFIX ".backup"
 #define STORAGE_MIRROR_SUFFIX ".tail"
-/* Suffix of the complete replacement of a damaged database. The replacement has the suffix until it
- * is renamed to STORAGE_FILE. */
+/* Suffix of the complete replacement of a damaged or missing database, until the replacement is
+ * renamed to STORAGE_FILE. */
 #define STORAGE_NEW_SUFFIX ".new"
 /* Suffix of an old backup that is kept when the operator restores a copy of the database. The old
  * backup belongs to the replaced database. */
@@ -120,8 +120,8 @@ struct storage_replay {
  * (-shm). */
 #define STORAGE_PLACES 3u
 
-/* Device and inode of a monitored file when the store first found the file at its path. A structure
- * of zeros means that the file has not existed yet. */
+/* Device and inode of a monitored file, taken when the store first found the file at its path. A
+ * structure of zeros means that the file has not existed yet. */
 struct storage_place {
     uint64_t device, inode;
 };
@@ -190,19 +190,18 @@ struct storage {
     /* Number at the end of the quarantined database's file name. 0 means that no database was
      * quarantined. */
     atomic_uint quarantined;
-    /* Identifies the object that was renamed last because it had the name of a database file but
-     * was not a regular file. The value is 1 plus the index of the name's suffix in
-     * storage_suffixes. 0 means that no object was renamed. */
+    /* Identifies the FIFO, device, link or folder that was renamed last because it had the name of
+     * a database file. The value is 1 plus the index of the name's suffix in storage_suffixes. 0
+     * means that no object was renamed. */
     atomic_uint strange;
     bool was_missing;     /* True if the replaced database was missing; false if it was damaged. */
     uint32_t from_backup; /* Newest entry id in the backup from which the replacement was made. */
     /* Entries newer than the backup that were recovered from the damaged database and the ledger
      * mirror. */
     struct ledger_recovered salvaged;
-    /* SQLite code of the last write if the write failed. 0 means that the last write succeeded. */
+    /* SQLite code of the last write. 0 means that the write succeeded. */
     atomic_int error;
-    /* errno of the last write of an edit if the write failed. 0 means that the last write
-     * succeeded. */
+    /* errno of the last write of an edit. 0 means that the write succeeded. */
     atomic_int edit_error;
     atomic_uint refused; /* Number of failed writes, including retries. */
     /* Start time of the current write on the monotonic clock. 0 means that no write is in
@@ -223,8 +222,8 @@ struct storage {
     /* Descriptor of the locked folder plus 1. The lock excludes other kiosk processes. 0 means not
      * locked. */
     int hold;
-    /* Newest entry id that append() has accepted. Another append() call with an accepted entry
-     * stores nothing. */
+    /* Newest entry id that append() has accepted. append() ignores an entry whose id is not
+     * newer. */
     uint32_t accepted_id;
     atomic_uint saved_id;
     /* True if the store has read the write-ahead log, but the log may not be on disk.
@@ -271,7 +270,8 @@ struct storage {
     /* Round id of the newest replay that was written, or that was abandoned because the card
      * rejected it. */
     atomic_uint put_id;
-    /* Result of the last read of a replay, which fetched() returns when the request is complete. */
+    /* Result of the last read of a replay. fetched() returns this result when the request is
+     * complete. */
     atomic_int got;
     /* Round id of each ranking row whose replay is on disk. 0 means that the row has no replay on
      * disk. */

@@ -104,9 +104,9 @@ static bool is_deleted(const struct storage *storage)
     if (storage->hold > 0 && fstat(storage->hold - 1, &held) == 0 && held.st_nlink == 0) {
         return true;
     }
-    /* If the folder was only renamed or mounted over, the database still has a name in its folder
-     * and is not deleted. The database counts as deleted only if its folder is still at its path
-     * and no longer contains the database. */
+    /* The database counts as deleted only if its folder is still at its path and does not contain
+     * the database any more. If the folder was renamed or mounted over, the database still has a
+     * name in the folder and is not deleted. */
     return !has_folder_left(storage) &&
            !(lstat(storage->path, &about) == 0 && is_same(&about, place));
 }
@@ -204,16 +204,17 @@ void storage_unlock(struct storage *storage)
 static int probe(struct storage *storage)
 {
     int code = storage_open_exclusive(storage);
-    /* A file that has replaced a moved database may lack entries that were acknowledged. */
+    /* A file that has replaced a moved database is rejected if it lacks acknowledged entries. */
     if (code == SQLITE_OK && storage->moved &&
         storage->file.content.memory.ledger.last_id < atomic_load(&storage->saved_id)) {
         storage_close_file(storage);
         storage_unlock(storage);
         return LEDGER_FILE_MOVED;
     }
-    /* Reject a foreign ledger, which comes from another card, or from a card that was absent at
-     * program start. A new card or a backup has fewer entries and is accepted. The file may also
-     * contain queued entries, because a write that reported an error may have succeeded. */
+    /* Rejects a foreign ledger. Such a ledger comes from another card, or from a card that was
+     * absent at program start. A new card or a backup has fewer entries and is accepted. The file
+     * may also contain queued entries, because a write that reported an error may have
+     * succeeded. */
     const unsigned pushed = atomic_load(&storage->pushed);
     const uint32_t saved_id = atomic_load(&storage->saved_id);
     const uint32_t last_id = storage->file.content.memory.ledger.last_id;
@@ -243,8 +244,8 @@ static int probe(struct storage *storage)
         code = storage->file.refusal;
     }
     if (storage->file.refusal == SQLITE_FULL) {
-        /* Close the database, because other programs cannot read a database that is open on a full
-         * card. */
+        /* Closes the database, so that other programs can read it. SQLite reads an open database
+         * only with the index of its write-ahead log, for which a full card has no space. */
         storage_close_file(storage);
     }
     return code;
@@ -288,8 +289,8 @@ bool storage_has_card(struct storage *storage)
     if (has_left && !leave_moved(storage)) {
         return false;
     }
-    /* The file is opened before the end of the interval if the last write failed because the card
-     * was full and the card has more free space now. */
+    /* The next attempt waits for the end of the interval. The attempt is made earlier if the last
+     * write failed because the card was full and the card has more free space now. */
     if (!storage->path[0] || !(storage_now_ms() >= storage->look_due_ms ||
                                atomic_load(&storage->late.state) == OFFLINE_CREDITS_NEW ||
                                sight_of(storage) != storage->sight ||
@@ -301,8 +302,8 @@ bool storage_has_card(struct storage *storage)
     const int code = probe(storage);
     const uint64_t sight = sight_of(storage);
     const int64_t longer_ms = 2 * storage->look_wait_ms;
-    /* The store gets the following codes only by reading the whole file. The interval to the next
-     * attempt grows only after these codes, because attempts with other results are cheap. */
+    /* The following codes mean that the whole file was read. Only these codes increase the interval
+     * to the next attempt, because attempts with other results are cheap. */
     if (!(code == LEDGER_FILE_FOREIGN || code == LEDGER_FILE_NEWER || code == LEDGER_FILE_MOVED ||
           code == SQLITE_READONLY || code == SQLITE_FULL || code == SQLITE_CORRUPT ||
           code == SQLITE_NOTADB)) {
@@ -339,7 +340,7 @@ void storage_save_deleted(struct storage *storage)
             return;
         }
     }
-    /* Write all queued entries, in at most two parts because the queue is a ring buffer. */
+    /* Writes all queued entries, in at most two parts because the queue is a ring buffer. */
     const unsigned pushed = atomic_load(&storage->pushed);
     unsigned at = atomic_load(&storage->written);
     int code = SQLITE_OK;

@@ -10,7 +10,7 @@
  * code. */
 int storage_open_file(struct storage *storage);
 
-/* Path of a file that belongs to the database. */
+/* Path of the database or of a file that belongs to the database. */
 struct storage_path {
     char text[LEDGER_PATH_SIZE];
 };
@@ -43,9 +43,9 @@ int storage_end_rebuilding(struct storage *storage);
 /* Renames the backup or the mirror because it belongs to a foreign ledger. Returns 0, or -1 and
  * sets errno. */
 int storage_quarantine_other(struct storage *storage, const char *suffix);
-/* Reads the backup, the ledger mirror and the damaged database if no replacement can be made.
- * `refusal` is the SQLite code of the reason. The read content is displayed and never written.
- * Returns true if any content was read. */
+/* Used if no replacement can be made: reads the backup, the ledger mirror and the damaged database.
+ * `refusal` is the SQLite code of the reason. The content that was read is displayed and never
+ * written. Returns true if any content was read. */
 bool storage_read_remnants(struct storage *storage, int refusal);
 
 /* ---- storage_card.c ------------------------------------------------------------------------ */
@@ -72,7 +72,8 @@ void storage_save_deleted(struct storage *storage);
 
 /* ---- storage_thread.c ---------------------------------------------------------------------- */
 
-/* Functions of hal_storage: the frame loop queues an entry, or an edit of the growth lab. */
+/* The frame loop calls these functions of hal_storage. storage_append() queues a ledger entry, and
+ * storage_store_edit() queues an edit of the growth lab. */
 int storage_append(void *storage, const struct ledger_entry *entry);
 int storage_store_edit(void *storage, const struct graph_edit_record *edit);
 
@@ -108,8 +109,8 @@ bool storage_has_replay(void *storage, uint32_t round_id);
  * thread calls both functions. */
 void storage_put_replay(struct storage *storage);
 void storage_get_replay(struct storage *storage);
-/* Updates storage->sealed, the list of ranked rounds that have a replay. Called by the thread that
- * uses the database. */
+/* Updates storage->sealed, which contains the ranked rounds that have a replay. Only the thread
+ * that uses the database calls this function. */
 void storage_update_sealed(struct storage *storage);
 
 /* storage_merge_offline() and storage_offline_merged() implement functions of hal_storage. The

@@ -175,8 +175,8 @@ int storage_open_file(struct storage *storage)
         return ledger_file_open(&storage->file, storage->path, &storage->how);
     }
     storage->has_to_rebuild = false;
-    /* If the database path is a symbolic link, the link may lead to a card that is not mounted yet.
-     * Therefore the link is neither removed nor followed. */
+    /* The database path is a symbolic link. The link may lead to a card that is not mounted yet, so
+     * it is neither removed nor followed. */
     struct stat about;
     if (lstat(storage->path, &about) == 0 && S_ISLNK(about.st_mode)) {
         return LEDGER_FILE_LINK;

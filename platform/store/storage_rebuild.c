@@ -71,8 +71,8 @@ int storage_quarantine_other(struct storage *storage, const char *suffix)
                : -1;
 }
 
-/* Renames the damaged database first and then its log and journal. A log or journal with its old
- * name would be applied to the new database by SQLite. Returns true on success. */
+/* Renames the damaged database first and then its log and its journal. SQLite would apply a log or
+ * journal with the old name to the new database. Returns true on success. */
 static bool quarantine_database(struct storage *storage, unsigned number)
 {
     char suffix[40];
@@ -140,8 +140,8 @@ static int sync_file(const char *path)
  * have no entries. */
 static int make_new(struct storage *storage, bool is_missing, unsigned number, bool *uses_backup)
 {
-    /* Single writes are not synced, because no process reads the file before it is complete.
-     * Syncing once at the end saves time on a slow card. */
+    /* The replacement is written without syncs, because no process reads the file before it is
+     * complete. Syncing once at the end saves time on a slow card. */
     static const struct ledger_file_options unsynced = { .journal = "MEMORY OFF" };
     const struct storage_path part = storage_path(storage, PART_SUFFIX, "");
     const struct storage_path backup = storage_path(storage, STORAGE_BACKUP_SUFFIX, "");
@@ -221,8 +221,9 @@ int storage_end_rebuilding(struct storage *storage)
         remove_all(storage, STORAGE_NEW_SUFFIX);
     } else if (storage_has_path(storage_path(storage, STORAGE_NEW_SUFFIX, "").text) &&
                !(quarantine_database(storage, next_number(storage)) && put_new(storage))) {
-        return SQLITE_IOERR; /* No new database may be created at the path while the replacement
-                                cannot be renamed. */
+        /* The replacement cannot be renamed. An error is returned, so that no new database is
+         * created at the path. */
+        return SQLITE_IOERR;
     }
     return SQLITE_OK;
 }

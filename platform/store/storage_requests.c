@@ -88,7 +88,7 @@ static bool is_ranked(const struct storage *storage, uint32_t round_id)
 void storage_update_sealed(struct storage *storage)
 {
     if (!storage->file.db) {
-        return; /* A failed write has closed the database. Therefore no replay can be looked up. */
+        return; /* A failed write has closed the database, so no replay can be looked up. */
     }
     const struct rank_row *rows = &storage->file.content.memory.ranking.row[0][0][0];
     for (uint32_t i = 0; i < LEDGER_RANKS; i++) {
@@ -161,8 +161,8 @@ int storage_merge_offline(void *self, const struct balance_change *step,
     }
     late->count = count < OFFLINE_CREDITS_MAX ? count : OFFLINE_CREDITS_MAX;
     memcpy(late->entries, entries, late->count * sizeof *entries);
-    late->entries[0].id = 0; /* An id of 0 means that the entries have not been assigned ids of the
-                                database yet. */
+    /* The id 0 means that the entries have not yet got their ids in the database. */
+    late->entries[0].id = 0;
     late->step = *step;
     atomic_store(&late->state, OFFLINE_CREDITS_NEW);
     sem_post(&storage->wake);
@@ -208,9 +208,9 @@ void storage_apply_offline(struct storage *storage)
     const struct ledger_start *list = &storage->file.content.memory.ledger;
     const bool has_ids = list->last_id <= LEDGER_ID_MAX - OFFLINE_CREDITS_MAX;
     int code = storage->file.refusal ? storage->file.refusal : has_ids ? SQLITE_OK : SQLITE_FULL;
-    /* The database may already contain the offline entries, because an earlier commit may have
-     * succeeded although it reported an error. Entries that are found in the database are on disk,
-     * because opening the database made its content durable. */
+    /* Searches the database for the offline entries, because an earlier commit may have succeeded
+     * although it reported an error. Entries that are found are on disk, because opening the
+     * database made its content durable. */
     const struct ledger_entry *first = &storage->late.entries[0];
     struct ledger_entry there;
     if (code == SQLITE_OK &&

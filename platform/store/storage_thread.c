@@ -100,8 +100,8 @@ static int open_tail(struct storage *storage)
 {
     const struct storage_path path = storage_path(storage, STORAGE_MIRROR_SUFFIX, "");
     int result = ledger_mirror_open(&storage->tail, path.text);
-    /* A mirror of a foreign ledger must not be used. For example, a user may have copied files from
-     * another card. */
+    /* A mirror of a foreign ledger must not be used. Such a mirror exists if, for example, a user
+     * copied files from another card. */
     struct ledger_entry entry;
     if (result == 0 &&
         ledger_mirror_entry(&storage->tail, atomic_load(&storage->saved_id), &entry) &&
@@ -111,7 +111,7 @@ static int open_tail(struct storage *storage)
         result = result == 0 ? ledger_mirror_open(&storage->tail, path.text) : result;
     }
     if (result == 0) {
-        /* Set `tail_from` to the id of the first saved entry that the mirror lacks. */
+        /* Sets `tail_from` to the id of the first saved entry that the mirror lacks. */
         const uint32_t saved_id = atomic_load(&storage->saved_id);
         const uint32_t last_id = ledger_mirror_last_id(&storage->tail);
         if (last_id < saved_id && (storage->tail_from == 0 || storage->tail_from > last_id + 1u)) {
@@ -125,7 +125,7 @@ static int open_tail(struct storage *storage)
 static int make_ready(struct storage *storage, uint32_t last_id)
 {
     CORE_ASSERT(storage->file.db);
-    /* The mirror file may have been deleted while it was open. */
+    /* Detects that the mirror file was deleted while it was open. */
     struct stat about;
     if (storage->tail.handle > 0 && fstat(storage->tail.handle, &about) == 0 &&
         about.st_nlink == 0) {
@@ -170,7 +170,7 @@ int storage_mirror_write(struct storage *storage, const struct ledger_entry *ent
         return 0;
     }
     int result = make_ready(storage, entries[0].id - 1u);
-    /* Erase revoked player names from the mirror. */
+    /* Erases revoked player names in the mirror. */
     for (uint32_t i = 0; result == 0 && i < count; i++) {
         if (entries[i].kind == LEDGER_NAME && !entries[i].name[0]) {
             result = ledger_mirror_erase_name(&storage->tail, entries[i].count, entries[i].detail);
@@ -198,8 +198,9 @@ static bool write_batch(struct storage *storage, unsigned written, unsigned push
     atomic_store(&storage->busy_since_ms, storage_now_ms());
     int code = ledger_file_write(&storage->file, entries, count);
     if (code == SQLITE_OK && storage_has_moved(storage)) {
-        code = LEDGER_FILE_MOVED; /* The database moved during the write. No program start would
-                                     find the entries. */
+        /* The database moved during the write. The next program start would not find the entries,
+         * so the write counts as failed. */
+        code = LEDGER_FILE_MOVED;
     }
     const bool is_in_mirror =
         code == SQLITE_OK && storage_mirror_write(storage, entries, count) == 0;
@@ -257,8 +258,8 @@ static void back_up(struct storage *storage)
         storage->backup_due_s = now_s + STORAGE_BACKUP_S;
         storage->backup_id = last_id;
         code = storage_is_behind_backup(storage)
-                   ? SQLITE_CORRUPT /* A backup must not be replaced by a database with fewer
-                                       entries. */
+                   /* A database with fewer entries than the backup must not replace the backup. */
+                   ? SQLITE_CORRUPT
                    : ledger_backup_begin(&storage->backup, &storage->file,
                                          storage_path(storage, STORAGE_BACKUP_SUFFIX, "").text);
     }
@@ -308,7 +309,8 @@ static void do_chore(struct storage *storage)
     }
     if (code == SQLITE_DONE) {
         storage->chore.step = NULL;
-        storage_update_sealed(storage); /* The background work may have deleted replays. */
+        /* Updates the list of replays, because the background work may have deleted some. */
+        storage_update_sealed(storage);
     } else if (storage_needs_reopening(code)) {
         storage_note_write(storage, code);
     }
@@ -319,8 +321,8 @@ static void do_chore(struct storage *storage)
 void storage_work(struct storage *storage)
 {
     CORE_ASSERT(storage_unwritten(storage) <= STORAGE_QUEUE_MAX);
-    /* Write and sync the write-ahead log again if another program's lock prevented the rewrite
-     * when the database was opened. If the lock remains, the next call retries. */
+    /* Writes and syncs the write-ahead log again if another program's lock prevented this when the
+     * database was opened. If the lock remains, the next call retries. */
     if (atomic_load(&storage->is_unproven) && storage_has_card(storage)) {
         const int code = storage->file.is_suspect ? ledger_log_secure(&storage->file) : SQLITE_OK;
         storage_note_write(storage, code);
@@ -330,9 +332,9 @@ void storage_work(struct storage *storage)
     }
     if (storage_has_card(storage)) {
         drain(storage);
-        /* Complete the mirror after a failed write if no entry waits in the queue. If entries wait,
-         * the write of the next batch completes the mirror, and the store must stay unhealthy until
-         * then. */
+        /* Completes the mirror after a failed write if no entry waits in the queue. If entries
+         * wait, the write of the next batch completes the mirror, and the store must stay unhealthy
+         * until then. */
         if (storage->tail_from > 0 && storage_unwritten(storage) == 0 && storage->file.db &&
             !storage->file.refusal) {
             note_mirror(storage, make_ready(storage, atomic_load(&storage->saved_id)), 0);
@@ -352,8 +354,7 @@ void *storage_thread(void *context)
     struct storage *storage = context;
     int64_t due_ms = 0;
     while (!atomic_load(&storage->stop)) {
-        /* Blocks until new work arrives, for at most CHECK_MS. Returns true if there is new
-         * work. */
+        /* Waits until new work arrives, for at most CHECK_MS. Returns true if there is new work. */
         struct timespec until;
         clock_gettime(CLOCK_MONOTONIC, &until);
         until.tv_nsec += (has_chore(storage) ? STORAGE_CHORE_WAIT_MS : CHECK_MS) * 1000000L;

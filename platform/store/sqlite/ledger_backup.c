@@ -71,8 +71,8 @@ bool ledger_is_marked(struct ledger_file *file)
            id == LEDGER_COPY_MARK;
 }
 
-/* Deletes a write-ahead log or journal beside the previous backup. SQLite would apply it to the new
- * backup, which would then be unreadable. Returns an SQLite code. */
+/* Deletes a write-ahead log or journal that lies beside the previous backup. Otherwise SQLite would
+ * apply the log to the new backup, which would then be unreadable. Returns an SQLite code. */
 static int remove_old_logs(const struct ledger_backup *backup)
 {
     static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
@@ -93,7 +93,7 @@ int ledger_backup_step(struct ledger_backup *backup)
         return code == SQLITE_OK ? SQLITE_OK : SQLITE_BUSY;
     }
     if (code == SQLITE_DONE) {
-        /* Convert the copy to a file that can be read without a write-ahead log. The copy is
+        /* Converts the copy to a file that can be read without a write-ahead log. The copy is
          * validated like a database, because a damaged copy must not replace the previous
          * backup. */
         char name[LEDGER_PATH_SIZE];
@@ -139,9 +139,9 @@ static int ledger_leave_delete_rows(struct ledger_file *file, enum panics_left l
         code =
             sqlite3_prepare_v2(file->db, "DELETE FROM settings WHERE name = ?1", -1, &forget, NULL);
         for (uint32_t id = 0; code == SQLITE_OK && id < SETTING_COUNT; id++) {
-            /* The PIN and the money settings are not deleted, because these settings do not affect
-             * a round. Without a PIN everyone could open the operator's menu, and without money
-             * settings the game would be free. */
+            /* The money settings and the PIN are kept, because they do not affect a round. Without
+             * a PIN everyone could open the operator's menu, and without money settings the game
+             * would be free. */
             if (settings_entry(id)->group != GROUP_MONEY && id != SET_PIN) {
                 sqlite3_bind_text(forget, 1, settings_entry(id)->name, -1, SQLITE_STATIC);
                 code = sqlite3_step(forget) == SQLITE_DONE ? SQLITE_OK : sqlite3_errcode(file->db);
@@ -176,7 +176,7 @@ int ledger_leave_out(const char *data, enum panics_left left, char words[LEDGER_
     int code = ledger_file_open(&file, path, NULL);
     if (code == SQLITE_OK) {
         char copy[LEDGER_PATH_SIZE];
-        do { /* Find the first unused number of a copy. */
+        do { /* Finds the first unused number for the name of the copy. */
             number++;
             snprintf(copy, sizeof copy, "%.560s" STORAGE_LEFT_SUFFIX "%u", path, number);
         } while (number <= LEDGER_LEFT_MAX && (lstat(copy, &about) == 0 || errno != ENOENT));

@@ -20,8 +20,8 @@
 #define LEDGER_PART_SUFFIX ".kingyo-part"
 
 /* Value of `application_id` that marks a copy that the operator may restore. A marked copy may have
- * fewer entries than the kiosk's backup. Because of the mark, the missing entries are not treated
- * as damage. */
+ * fewer entries than the kiosk's automatic backup. Because of the mark, the kiosk does not treat
+ * the missing entries as damage. */
 #define LEDGER_COPY_MARK 0x6b6e6779
 
 struct sqlite3_backup;
@@ -41,9 +41,9 @@ struct ledger_backup {
 int ledger_backup_begin(struct ledger_backup *backup, struct ledger_file *from, const char *path);
 
 /* Copies the next 256 KiB of the database. Returns SQLITE_OK if a part of the database remains to
- * be copied. Returns SQLITE_BUSY if the caller must retry later. Returns SQLITE_DONE if the copy is
- * complete and is on disk at its path. After any other code the copy is aborted and the file at the
- * path is unchanged. */
+ * be copied. Returns SQLITE_BUSY if the caller must retry later. Returns SQLITE_DONE if the
+ * complete copy is on disk at its path. After any other code the copy is aborted and the file at
+ * the path is unchanged. */
 int ledger_backup_step(struct ledger_backup *backup);
 
 /* Aborts the copy and deletes its temporary file. */

@@ -15,8 +15,8 @@
 
 void ledger_file_close(struct ledger_file *file)
 {
-    /* If the write-ahead log may not be on disk (`is_suspect`), SQLite must not copy the log into
-     * the database when the database is closed. */
+    /* SQLite must not copy a log that may not be on disk (`is_suspect`) into the database when the
+     * database is closed. */
     if (file->db) {
         sqlite3_db_config(file->db, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, (int)file->is_suspect, NULL);
     }
@@ -85,8 +85,8 @@ static uint32_t big_endian_32(const uint8_t bytes[4])
 }
 
 /* Sets `used` to the number of bytes of the log that SQLite may read: the header and the frames
- * with the salt of the header. The rest of the file may be large: frames from before the log was
- * restarted, or anything that another program wrote. Returns a code of SQLite. Format:
+ * with the salt of the header. The rest of the file may be large. It contains frames from before
+ * the log was restarted, or bytes that another program wrote. Returns a code of SQLite. Format:
  * https://sqlite.org/fileformat2.html#walformat */
 static int log_used_bytes(sqlite3_file *log, sqlite3_int64 *used)
 {
@@ -135,14 +135,14 @@ int ledger_log_secure(struct ledger_file *file)
         code = code == SQLITE_OK && size > 0 ? log->pMethods->xSync(log, SQLITE_SYNC_NORMAL) : code;
     }
     if (code == SQLITE_OK) {
-        /* Sync the folder of the database. SQLite also syncs the folder for a new log, but ignores
+        /* Syncs the folder of the database. SQLite also syncs the folder for a new log, but ignores
          * an error of this sync. */
         const char *path = sqlite3_db_filename(file->db, "main");
         code = !path || !path[0] || file_sync_parent(path) == 0 ? SQLITE_OK : SQLITE_IOERR;
     }
     sql_run(file->db, "ROLLBACK");
     file->is_suspect = code != SQLITE_OK;
-    return code & 0xff; /* The low byte is SQLite's primary code. The extended code is dropped. */
+    return code & 0xff; /* Returns only the low byte, which is SQLite's primary result code. */
 }
 
 int ledger_log_result(const struct ledger_file *file, int code)

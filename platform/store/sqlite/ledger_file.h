@@ -25,9 +25,9 @@ struct sqlite3_stmt;
  * the level of each round and of each leaderboard. */
 #define LEDGER_FILE_VERSION 6
 
-/* Maximum number of stored entries, about 60 bytes each. The number is enough for a month with
- * 500 coins and 300 rounds per day. When older entries are deleted, their aggregates and rounds
- * remain. */
+/* Maximum number of stored entries, about 60 bytes each. The number is enough for a month with 500
+ * coins and 300 rounds per day. When older entries are deleted, their effect on the settings,
+ * audits and ranking remains, and their rounds remain too. */
 #define LEDGER_FILE_ENTRIES 32768u
 /* Maximum number of stored rounds, about 100 bytes each. The number is enough for half a year.
  * Ranked rounds are stored in addition. */
@@ -62,7 +62,7 @@ enum ledger_statement {
     LEDGER_STATEMENT_COUNT,
 };
 
-/* Content of the database on disk, except entries and replays. */
+/* Content of the database on disk, without the list of entries and the replays. */
 struct ledger_content {
     /* Persistent state of the core. ledger.boots is the boot number of the newest entry. */
     struct persistent_state memory;
@@ -126,9 +126,10 @@ bool ledger_schema_foreign(struct sqlite3 *db, struct ledger_foreign *out);
  * holds the write lock. After an error `is_suspect` stays true. */
 int ledger_log_secure(struct ledger_file *file);
 
-/* Writes entries whose ids rise, in one transaction. Entries that the file already contains are
- * skipped. Returns SQLITE_OK if all entries are written. After a failed transaction, `content` is
- * read again, because SQLite may have written all entries although it reported an error. */
+/* Writes entries in one transaction. The ids of the entries must rise. Entries that the file
+ * already contains are skipped. Returns SQLITE_OK if all entries are written. After a failed
+ * transaction, `content` is read again, because SQLite may have written all entries although it
+ * reported an error. */
 int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entries, uint32_t count);
 
 /* Reads the entry `id`. Returns SQLITE_NOTFOUND if there is no such entry, or SQLITE_CORRUPT if its
@@ -140,8 +141,8 @@ int ledger_file_entry(struct ledger_file *file, uint32_t id, struct ledger_entry
  * because its checksum is wrong, sets `out->id` to `id` and all other fields to 0. */
 void ledger_file_round(struct ledger_file *file, uint32_t id, struct ledger_entry *out);
 
-/* Copies the content to `out`. A setting that the operator has never changed keeps its value in
- * `out`. */
+/* Copies the content to `out`. For a setting that the operator has never changed, the value in
+ * `out` stays unchanged. */
 void ledger_content_load(const struct ledger_content *content, struct persistent_state *out);
 
 /* Stores the replay of a round and replaces an earlier replay of the round. Returns an SQLite
@@ -186,9 +187,10 @@ const char *ledger_file_error(int code);
  * into this size. */
 #define LEDGER_ROW_NAME_SIZE 64u
 
-/* The column `open` contains three fields of the balance: `open` in the low 8 bits, `returned`
- * shifted by LEDGER_RETURNED_SHIFT, and `tickets` shifted by LEDGER_TICKETS_SHIFT. Older files have
- * 0 in the upper two fields, so that their rows and checksums remain valid. */
+/* The database column `open` contains three fields of the balance: `open` in the low 8 bits,
+ * `returned` shifted left by LEDGER_RETURNED_SHIFT, and `tickets` shifted left by
+ * LEDGER_TICKETS_SHIFT. Older files have 0 in the upper two fields, so their rows and checksums
+ * remain valid. */
 #define LEDGER_RETURNED_SHIFT 8u
 #define LEDGER_TICKETS_SHIFT 16u
 
@@ -200,8 +202,8 @@ int ledger_statement(struct ledger_file *file, enum ledger_statement which,
 /* ledger_file.c: prevents SQLite from copying the write-ahead log into the database until
  * ledger_log_secure() succeeds. */
 void ledger_log_invalidate(struct ledger_file *file);
-/* Returns `code`, the result of a write. If `code` is SQLITE_OK but the checkpoint after the commit
- * failed, returns SQLITE_IOERR. */
+/* Returns the result of a write whose SQLite code is `code`. If `code` is SQLITE_OK but the
+ * checkpoint after the commit failed, the result is SQLITE_IOERR, otherwise `code`. */
 int ledger_log_result(const struct ledger_file *file, int code);
 
 /* ledger_schema.c: migrates the file from `version` to LEDGER_FILE_VERSION, inside the caller's
@@ -216,8 +218,9 @@ int ledger_schema_check(struct sqlite3 *db, int64_t user_version);
 /* ledger_write.c: writes one entry without its aggregates. Returns an SQLite code. */
 int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry);
 
-/* Returns the checksum of an entry, except of its name, which may be revoked. The checksum is
- * needed because SQLite detects an incompletely written page but not a flipped bit. */
+/* Returns the checksum of an entry. The checksum does not cover the name in the entry, because the
+ * name may be revoked later. The checksum is needed because SQLite detects an incompletely written
+ * page but not a flipped bit. */
 int64_t ledger_entry_sum(const struct ledger_entry *entry);
 
 /* ledger_open.c: marks the file, inside the caller's transaction, as possibly containing old bytes

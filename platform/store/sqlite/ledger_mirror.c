@@ -30,7 +30,7 @@
 struct slot {
     uint32_t version, size;
     struct ledger_entry entry;
-    uint64_t sum; /* Checksum of all preceding fields. */
+    uint64_t sum; /* Checksum of all fields of the slot before this field. */
 };
 _Static_assert(sizeof(struct slot) <= LEDGER_MIRROR_SLOT_SIZE, "an entry fits into a sector");
 
@@ -185,7 +185,7 @@ int ledger_mirror_erase_name(struct ledger_mirror *tail, uint32_t round_id, uint
     int result = 0;
     for (uint32_t i = 0; result == 0 && i < LEDGER_MIRROR_SLOTS; i++) {
         struct ledger_entry *entry = &slot.entry;
-        /* A slot whose name is already empty is also written again, because its earlier sync may
+        /* An entry whose name is already empty is also written again, because its earlier sync may
          * have failed. */
         if (read_slot(tail, i, &slot, NULL) && entry->kind == LEDGER_NAME &&
             entry->count == round_id && entry->detail == player) {

@@ -23,7 +23,8 @@
  * syncs. ledger_file.c copies the log into the database. cache_size is the memory in KiB that one
  * transaction needs. */
 #define JOURNAL "WAL FULL"
-#define VERSION "PRAGMA user_version" /* SQL text that reads the version of the file. */
+/* SQL text that reads the version of the file. */
+#define VERSION "PRAGMA user_version"
 static const char settings[] = "PRAGMA cache_size = -1024";
 
 /* Sets the journal mode, checks that SQLite uses a write-ahead log, and makes the log durable. The
@@ -52,15 +53,16 @@ static int set_up(struct ledger_file *file, const struct ledger_file_options *ho
     }
     sqlite3_finalize(ask);
     code = code == SQLITE_OK ? ledger_log_secure(file) : code;
-    return code == SQLITE_BUSY ? SQLITE_OK : code; /* If another program holds the write lock,
-                                                      `file->is_suspect` stays true. */
+    /* Another program holds the write lock. The log is made durable later, and `file->is_suspect`
+     * stays true until then. */
+    return code == SQLITE_BUSY ? SQLITE_OK : code;
 }
 
 /* ---- Validation ---------------------------------------------------------------------------- */
 
 /* Returns SQLITE_CORRUPT if `code` is an error that a damaged schema may cause, otherwise `code`. A
  * schema with a flipped bit may still be valid SQL, but a later statement may fail. The caller must
- * have excluded other causes of the error, such as a full card. */
+ * first exclude other causes of the error, such as a full card. */
 static int as_damage(int code)
 {
     return code == SQLITE_ERROR || code == SQLITE_SCHEMA || code == SQLITE_MISMATCH ||
@@ -112,7 +114,7 @@ int ledger_check(sqlite3 *db)
 
 /* Name of the `state` row that exists while old bytes of a PIN may be in the file. */
 #define MARK "'pin-vacuum'"
-/* SQL text that selects the entries with a PIN as plain digits. */
+/* Part of an SQL statement that selects the entries with a PIN as plain digits. */
 #define PLAIN_ENTRIES "FROM entries WHERE kind = %d AND detail = %d AND count = 0 AND value > 0"
 
 /* Replaces the PIN by its salted hash in the entries that contain the PIN as plain digits. Few
@@ -155,7 +157,7 @@ static int hide_pin(struct ledger_file *file)
 {
     uint32_t salt = 0;
     int64_t reasons = 0;
-    /* Count the rows that require a rewrite of the file: rows with a plain PIN, and the row
+    /* Counts the rows that require a rewrite of the file: rows with a plain PIN, and the row
      * MARK. */
     char text[320];
     snprintf(text, sizeof text,
@@ -186,9 +188,9 @@ static int hide_pin(struct ledger_file *file)
         code = sql_commit(file->db, code);
     }
     if (code == SQLITE_OK) {
-        /* Rewrite the file with VACUUM. VACUUM attaches its new file as a second database.
-         * sql_open() has set the limit of attached databases to 0, therefore the limit is raised
-         * during VACUUM. */
+        /* Rewrites the file with VACUUM. VACUUM attaches its new file as a second database. Because
+         * sql_open() has set the limit of attached databases to 0, the limit is raised during
+         * VACUUM. */
         sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 1);
         code = sql_run(file->db, "VACUUM");
         sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 0);
@@ -226,8 +228,9 @@ static int bring_up_to_date(struct ledger_file *file)
     return sql_commit(file->db, code);
 }
 
-/* Validates and reads an open connection. A damaged file or a file of a newer version is not
- * changed. Returns an SQLite code or an error code of ledger_file.h. */
+/* Validates the database of an open connection and reads its version and content into `file`. A
+ * damaged file or a file of a newer version is not changed. Returns an SQLite code or an error code
+ * of ledger_file.h. */
 static int ledger_open_begin(struct ledger_file *file, const struct ledger_file_options *how)
 {
     int64_t version = 0;
@@ -257,8 +260,8 @@ static int ledger_open_begin(struct ledger_file *file, const struct ledger_file_
         code = code == SQLITE_CORRUPT || code == SQLITE_NOTADB ? code : SQLITE_OK;
     }
     if (code == SQLITE_OK) {
-        /* Prepare all statements, so that a file in which a statement fails is detected when it
-         * is opened. */
+        /* Prepares all statements, so that a file in which a statement fails is detected when it is
+         * opened. */
         sqlite3_stmt *statement;
         for (uint32_t i = 0; code == SQLITE_OK && i < LEDGER_STATEMENT_COUNT; i++) {
             code = ledger_statement(file, (enum ledger_statement)i, &statement);
@@ -276,8 +279,8 @@ static bool has_log(const char *path)
 }
 
 /* Opens a file that cannot be written. SQLite can read a write-ahead log only if it can write the
- * log's index. A kiosk that was closed leaves a file without a log. A file without a log is read
- * without a lock, because no process can write the file. */
+ * log's index. A kiosk that was closed leaves a file without a log. Such a file is read without a
+ * lock, which is safe because no process can write the file. */
 static int open_unwritable(struct ledger_file *file, const char *path)
 {
     return has_log(path) ? SQLITE_CANTOPEN : sql_open_unwritable(path, &file->db);

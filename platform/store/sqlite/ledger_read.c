@@ -151,8 +151,8 @@ void ledger_content_load(const struct ledger_content *content, struct persistent
     }
 }
 
-/* Copies one row of a table to `content`. A row that only another version of Kingyo writes stays in
- * the file and is ignored. */
+/* Function that copies one row of a table to `content`. A row that only another version of Kingyo
+ * uses stays in the file and is ignored. */
 typedef void take_row(struct ledger_content *content, sqlite3_stmt *row);
 
 static void take_setting(struct ledger_content *content, sqlite3_stmt *row)
@@ -239,7 +239,7 @@ int ledger_aggregates_read(struct ledger_file *file, struct ledger_content *out)
                                         .balance = newest.balance };
         out->tick = newest.tick;
         if (newest.balance.open & PAYMENT_SPENT) {
-            /* Read the newest entry that records the start or the state of an open round. */
+            /* Reads the newest entry that records the start or the state of an open round. */
             code = find_entry(
                 file, ENTRY_COLUMNS "WHERE id >= ?1 AND kind IN (4, 17) ORDER BY id DESC LIMIT 1",
                 0, &newest);
@@ -267,13 +267,14 @@ int ledger_aggregates_read(struct ledger_file *file, struct ledger_content *out)
  * because SQLite has no checksums. Each ledger entry has its own checksum. */
 
 /* SQL texts for each table checksum: one to read the stored checksum, one to write it, and the
- * queries of the rows that the checksum covers. The checksum of the audits is stored in the table
- * of the audits, because the checksum and the audits change with nearly every entry. A write then
- * changes one page less than with two tables. */
+ * queries of the rows that the checksum covers. The checksum of the audits is stored in the same
+ * table as the audits, because both change with nearly every entry. A write then changes one page
+ * less than with two tables. */
 #define STATE_TALLY "SELECT value FROM state WHERE name = "
 static const struct tally {
     const char *get, *put;
-    const char *rows[2]; /* One or two queries of the covered rows. Null means no second query. */
+    /* SQL texts of one or two queries that read the rows. Null means no second query. */
+    const char *rows[2];
 } tallies[] = {
     { .get = STATE_TALLY "'tally-settings'",
       .put = "INSERT OR REPLACE INTO state (name, value) VALUES ('tally-settings', ?1)",
@@ -334,12 +335,12 @@ int ledger_checksum_put(sqlite3 *db)
 
 int ledger_checksum_check(sqlite3 *db)
 {
-    int code = sql_run(db, "BEGIN"); /* The transaction prevents another program from writing
-                                        between the read of a checksum and the read of the rows that
-                                        the checksum covers. */
+    /* Begins a transaction, so that no other program writes between the read of a checksum and the
+     * read of the rows that the checksum covers. */
+    int code = sql_run(db, "BEGIN");
     for (size_t i = 0; code == SQLITE_OK && i < TALLY_COUNT; i++) {
-        /* A file without a checksum is accepted, because a version of Kingyo without checksums
-         * may have written the file last. */
+        /* A checksum that is not stored (0) is accepted, because a version of Kingyo without
+         * checksums may have written the file last. */
         int64_t kept = 0, sum = 0;
         code = add_up(db, &tallies[i], &kept, &sum);
         code = code == SQLITE_OK && kept != 0 && kept != sum ? SQLITE_CORRUPT : code;

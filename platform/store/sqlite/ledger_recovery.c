@@ -10,8 +10,8 @@
 
 #define BATCH 64u /* Maximum number of entries in one transaction. */
 
-/* Maximum number of ids that are searched, slightly more than a database can contain. Ids beyond
- * this range do not belong to the ledger. */
+/* Maximum number of ids that are searched. The number is slightly more than the number of entries
+ * in a database. Ids beyond this range do not belong to the ledger. */
 #define SALVAGE_MAX (LEDGER_FILE_ENTRIES + 512u)
 
 struct salvage {
@@ -63,8 +63,8 @@ static bool has_others_tail(struct salvage *salvage)
     if (kin == LEDGER_RELATION_UNKNOWN && salvage->to->db) {
         kin = ledger_recovery_relation(salvage->to, last_id, salvage->tail, NULL);
     }
-    /* If the database and the mirror have no common entry and the mirror is older than `content`,
-     * the mirror belongs to a foreign ledger. An empty mirror is accepted. */
+    /* The mirror belongs to a foreign ledger if it has no common entry with the database and is
+     * older than `content`. An empty mirror is accepted. */
     struct ledger_entry newest;
     return kin == LEDGER_RELATION_OTHER ||
            (kin == LEDGER_RELATION_UNKNOWN &&

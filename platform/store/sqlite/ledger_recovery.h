@@ -39,8 +39,8 @@ void ledger_mirror_close(struct ledger_mirror *tail);
  * exist. */
 struct ledger_mirror ledger_mirror_inspect(const char *path);
 
-/* Writes entries whose ids rise. Returns 0 when the entries are on disk. On an error sets errno and
- * returns -1. */
+/* Writes entries to the mirror. The ids of the entries must rise. Returns 0 when the entries are on
+ * disk. On an error sets errno and returns -1. */
 int ledger_mirror_write(struct ledger_mirror *tail, const struct ledger_entry *entries,
                         uint32_t count);
 
@@ -75,21 +75,21 @@ enum ledger_relation ledger_recovery_relation(struct ledger_file *file, uint32_t
 
 struct ledger_recovered {
     uint32_t entries; /* Number of recovered entries. */
-    /* Number of lost entries: ids between the last id of `to` and the newest known id that were not
-     * recovered. */
+    /* Number of lost entries. An entry is lost if its id is above the last id of `to` and at most
+     * the newest known id, and if the entry was not recovered. */
     uint32_t lost;
     /* True if the newest id is unknown. The number of lost entries may then be greater than
      * `lost`. */
     bool is_open_ended;
-    /* True if the ledger mirror belongs to a foreign ledger and was not used. */
+    /* True if the ledger mirror was not used, because it belongs to a foreign ledger. */
     bool has_others_tail;
 };
 
-/* Copies all valid entries that are newer than the entries of `to` into `to`. An entry is read from
- * the file `path`, which may be damaged at any position. An entry that cannot be read from the file
- * is read from the mirror `tail`. `path` is null if the file is missing or empty, because SQLite
- * would delete the log of an empty file. Missing entries are skipped, and the newest valid entry
- * sets the balance. If to->refusal is not 0, only to->content is updated. Returns an SQLite code.
- * An error means that writing failed and `to` is incomplete. */
+/* Copies all valid entries that are newer than the entries of `to` into `to`. Each entry is read
+ * from the file `path`, which may be damaged at any position, or else from the mirror `tail`.
+ * `path` is null if the file is missing or empty, because SQLite would delete the log of an empty
+ * file. Missing entries are skipped, and the newest valid entry sets the balance. If to->refusal is
+ * not 0, only to->content is updated. Returns an SQLite code. An error means that writing failed
+ * and `to` is incomplete. */
 int ledger_recover(const char *path, const struct ledger_mirror *tail, struct ledger_file *to,
                    struct ledger_recovered *out);

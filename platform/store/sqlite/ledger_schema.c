@@ -26,7 +26,7 @@
 #define NOW LEDGER_FILE_VERSION
 
 static const struct table {
-    uint8_t first, last; /* First and last `user_version` that have this table. */
+    uint8_t first, last; /* First and last file version (`user_version`) that has this table. */
     const char *name, *text;
 } tables[] = {
     { 1, 1, "rounds", sql_rounds_1 },
@@ -233,7 +233,7 @@ int ledger_schema_raise(struct ledger_file *file, int version)
     int code = SQLITE_OK;
     if (version < 3) {
         code = raise_to_now(file, version);
-    } else { /* The tables are the same in versions 4 and 5. */
+    } else { /* Versions 4 and 5 have the same tables, so both are migrated in the same way. */
         code = renew_table(file->db, sql_rename_rounds, NOW, "rounds",
                            version == 3 ? sql_fill_rounds_3 : sql_fill_rounds_4);
         code = code == SQLITE_OK

@@ -90,8 +90,8 @@ int64_t ledger_entry_sum(const struct ledger_entry *entry)
     sum = round->fish_count > 0 ? hash_values(sum, tank, COUNT(tank)) : sum;
     sum = round->level != LEVEL_MASTER ? hash_u32(sum, round->level) : sum;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        /* The first two values, the entry's id and the player's slot, are not part of the
-         * checksum. */
+        /* The checksum does not cover the first two values, which are the entry's id and the
+         * player's slot. */
         player_values(entry, i, own);
         sum = round->players >> i & 1u ? hash_values(sum, own + 2, PLAYER_VALUES - 2) : sum;
     }
@@ -178,7 +178,7 @@ int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry)
     if (code == SQLITE_OK && entry->kind == LEDGER_ROUND) {
         code = put_round(file, entry);
     } else if (code == SQLITE_OK && entry->kind == LEDGER_NAME) {
-        /* An empty name revokes the player's earlier names, which are also erased in the entries of
+        /* An empty name revokes the player's earlier names. They are also erased in the entries of
          * the ledger. */
         const int64_t whose[] = { entry->count, entry->detail, LEDGER_NAME };
         code = put(file, PUT_NAME, whose, 2, entry->name, sizeof entry->name);
@@ -309,7 +309,7 @@ int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entri
     code = code == SQLITE_OK ? ledger_aggregates_put(file, &file->content, &after) : code;
     code = sql_commit(file->db, code);
     if (code != SQLITE_OK) {
-        /* Read the content again, because SQLite may have written the entries although it reported
+        /* Reads the content again, because SQLite may have written the entries although it reported
          * an error, or another program may have written entries. A connection that reported a
          * failed sync of a transaction does not return the content of that transaction. */
         struct ledger_content found;

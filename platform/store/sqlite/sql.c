@@ -101,7 +101,8 @@ int sql_commit(sqlite3 *db, int code)
 
 /* ---- Limits and options -------------------------------------------------------------------- */
 
-/* Limits of SQLite that are well above the needs of Kingyo's own statements. */
+/* Limits that SQLite enforces on every statement. They are well above the needs of Kingyo's own
+ * statements. */
 static const struct {
     int id, max;
 } limits[] = {
@@ -131,8 +132,8 @@ static const struct {
 
 /* ---- Files --------------------------------------------------------------------------------- */
 
-/* SQLite's default mode for a new database. SQLite gives its other files the mode of the
- * database. */
+/* File mode with which SQLite creates a new database by default. SQLite gives its other files the
+ * mode of the database. */
 #define SQLITE_NEW_FILE 0644
 
 /* Replaces SQLite's open(2) for the database, the write-ahead log, the log's index and the journal.
@@ -150,7 +151,7 @@ static int open_regular(const char *path, int flags, int mode)
      * which only the operator can have given. Any other mode is the operator's choice and stays. */
     const mode_t private = mode == SQLITE_NEW_FILE ? S_IRUSR | S_IWUSR : (mode_t)mode & 0770;
     const int handle = file_handle(path, flags, private);
-    /* fchmod() fails for users other than the owner. The error is ignored. */
+    /* fchmod() fails for a user who does not own the file. The error is ignored. */
     if (handle >= 0 && (flags & O_ACCMODE) == O_RDWR && fstat(handle, &about) == 0 &&
         (about.st_mode & 0007) != 0 &&
         fchmod(handle, about.st_mode & S_IWGRP ? about.st_mode & 0770 : 0600) == 0 &&
