@@ -139,8 +139,8 @@ static enum exit_code watch_device(const struct request *options)
     watch.begin_ns = ctl_now_ns();
     fputs(watch.on_terminal ? SCREEN_BEGIN : HID_VALUE_HEADER "\ttime_ms\n", stdout);
     const enum exit_code end = hid_watch_loop(&watch, options->seconds);
-    if (watch.on_terminal) { /* The last view is printed once more on the normal screen, where the
-                                view stays visible. */
+    /* Prints the last view once more on the normal screen, where it stays visible. */
+    if (watch.on_terminal) {
         printf(SCREEN_END "%s", format_hid_picture(&watch));
     }
     fflush(stdout);

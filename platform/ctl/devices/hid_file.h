@@ -12,9 +12,10 @@
  * terminating zero follows. */
 #define HID_ID_SIZE 256u
 
-/* Size in bytes of the read buffer for a descriptor file. Four characters are allowed for each
- * byte: two hex digits and two characters of white space. The buffer holds one byte more than the
- * longest descriptor, so that the parser detects a descriptor that is too long. */
+/* Size in bytes of the read buffer for a descriptor file. For each byte of the descriptor, the file
+ * may have four characters: two hex digits and two characters of white space. The buffer holds one
+ * byte more than the longest descriptor, so that the parser detects a descriptor that is too
+ * long. */
 #define HID_FILE_SIZE (4u * (HID_DESCRIPTOR_SIZE_MAX + 1u))
 
 /* Largest size in bytes of a file with recorded reports. 2 h of 64-byte reports at 1 kHz fit. */
@@ -22,7 +23,7 @@
 
 /* Error of hid_from_hex(): the text contains a character that is not a hex digit or white space. */
 #define HID_NOT_HEX (-1)
-/* Error of hid_from_hex(): the text is hex, but one byte has only one digit. */
+/* Error of hid_from_hex(): the text is hex, but one byte has only one of its two digits. */
 #define HID_HALF_HEX (-2)
 
 /* Converts hex text to bytes in place. White space separates the bytes. Returns the number of
@@ -42,8 +43,8 @@ enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t 
  * file cannot be read, prints the error and returns EXIT_IO. */
 enum exit_code hid_file_read(struct hid_descriptor *out, const char *path);
 
-/* Writes the base name of `path` without its last suffix to `id`. The id connects the printed rows
- * of a descriptor with the rows of its reports. */
+/* Writes the base name of `path` without its last suffix to `id`. The same id is printed in the
+ * rows of a descriptor and in the rows of its reports, so that the two can be matched. */
 void hid_file_id(const char *path, char id[HID_ID_SIZE]);
 
 /* Prints a line on standard error with `path` and the meaning of `errno`. Returns EXIT_IO. */

@@ -1,6 +1,5 @@
-/* hid_live.c -- the live view of a HID device.
- *
- * The rows are created once from the descriptor. A report changes only the values of the rows. */
+/* hid_live.c -- the live view of a HID device. The rows of the view are created once from the
+ * descriptor. A report changes only the values of the rows. */
 #include "platform/ctl/devices/hid_live.h"
 
 #include <inttypes.h>

@@ -22,11 +22,13 @@ struct hid_live_row {
     /* True if the row lists the active usages of a set: the one-bit switches of an Input item, or
      * the elements of an array. False if the row shows one value. */
     bool is_set;
-    bool is_known; /* True after the first report that contains the row. */
+    bool is_known; /* True after a report that contains the fields of the row was received. */
     int64_t value; /* Latest value of the field. */
-    int64_t sum;   /* Sum of all values of the field. The view shows the sum for relative fields. */
+    /* Sum of all values that the field has reported. The view shows the sum for relative fields. */
+    int64_t sum;
     uint32_t on_count;
-    /* First active usages. `on_count` also counts the active usages that do not fit. */
+    /* Usages that are active, at most eight. `on_count` also counts the active usages that do not
+     * fit. */
     uint32_t on[8];
 };
 

@@ -23,8 +23,8 @@
 #define LINE_SIZE 65536
 #define REPORT_SIZE_MAX 16384u
 
-/* Names of usages in runs of adjacent usages. A null name means that the usage is written
- * in hex. */
+/* Names of usages in runs of adjacent usages. `first` is the first usage of the run. A null name
+ * means that the usage is written in hex. */
 static const struct {
     hid_usage first;
     const char *names[10];
@@ -59,7 +59,8 @@ const char *hid_usage_name(hid_usage usage, char out[HID_NAME_SIZE])
     const uint32_t page = usage >> 16, id = usage & 0xffffu;
     CORE_ASSERT(out);
     for (size_t i = 0; i < sizeof runs / sizeof runs[0]; i++) {
-        const uint32_t at = usage - runs[i].first; /* A usage before the run wraps around. */
+        /* For a usage before the run, the unsigned subtraction wraps around to a large number. */
+        const uint32_t at = usage - runs[i].first;
         if (at < sizeof runs[0].names / sizeof runs[0].names[0] && runs[i].names[at]) {
             return runs[i].names[at];
         }
@@ -226,8 +227,8 @@ enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const ch
         return hid_file_print_error(path);
     }
     if (code == EXIT_OK && of.reports == 0) {
-        /* The id is the descriptor's file name, so a file without a matching report most likely
-         * belongs to another descriptor. */
+        /* The id is the file name of the descriptor. If no report has this id, the report file most
+         * likely belongs to another descriptor. */
         puts(HID_VALUE_HEADER);
         return print_fail(
             EXIT_NOT_SO,

@@ -24,8 +24,8 @@
 #include "platform/os/file.h"
 
 #define LINE_SIZE 512
-/* Timeout in ms for a process that opens the writing end of a pipe. A shell starts the process in
- * less time. */
+/* Time in ms to wait for a process that opens the writing end of a pipe. A shell needs less time to
+ * start a process. */
 #define WRITER_WAIT_MS 2000
 #define WRITER_STEP_MS 20
 
@@ -123,8 +123,9 @@ static enum exit_code ask_node(int file, struct hid_descriptor *descriptor, cons
 static bool wait_for_writer(struct hid_source *source)
 {
     ssize_t size =
-        0; /* A size of 0 means that the pipe has no writer. A negative size (EAGAIN) means
-                         that a process has opened the pipe but has not written to it yet. */
+        /* A `size` of 0 means that the pipe has no writer. A negative `size` (EAGAIN) means that a
+         * process has opened the pipe but has not written to it yet. */
+        0;
     for (int ms = 0; size == 0 && ms < WRITER_WAIT_MS; ms += WRITER_STEP_MS) {
         poll(NULL, 0, ms > 0 ? WRITER_STEP_MS : 0);
         size = read(source->file, source->bytes, sizeof source->bytes);
@@ -241,7 +242,8 @@ static enum hid_pull hid_source_wait_bytes(struct hid_source *source, int timeou
 {
     struct pollfd wait = { .fd = source->file, .events = POLLIN };
     if (poll(&wait, 1, timeout_ms) <= 0) {
-        return HID_PULL_NOTHING; /* A timeout occurred, or a signal that the caller handles. */
+        /* The wait ended by its timeout, or by a signal that the caller handles. */
+        return HID_PULL_NOTHING;
     }
     const ssize_t size =
         read(source->file, source->bytes + source->size, sizeof source->bytes - source->size);

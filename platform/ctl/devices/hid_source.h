@@ -23,7 +23,7 @@ struct hid_node {
     /* Bus type, a BUS_* constant of linux/input.h: 3 is USB, 5 is Bluetooth, 0x18 is I2C. */
     uint16_t bus;
     uint32_t vendor, product;
-    /* Errno of the attempt to open the node. 0 means that the current user may read the node.
+    /* 0 if the current user may read the node, otherwise the errno of the attempt to open the node.
      * ENOENT means that /dev has no such node. */
     int open_errno;
     /* Name that the device reports. Unprintable characters are replaced by dots. */
@@ -55,10 +55,10 @@ struct hid_source {
     /* True after the end of the file, or after every writer of the pipe has closed the pipe. */
     bool at_end;
     size_t size; /* Number of valid bytes in the buffer `bytes`. */
-    /* Length in bytes of the report that was returned last. The next call of hid_source_pull()
-     * removes the report from the buffer. */
+    /* Length in bytes of the report that the last hid_source_pull() returned. The next call removes
+     * this report from the buffer. */
     size_t given;
-    uint64_t taken; /* Position in the stream of the first byte in `bytes`. */
+    uint64_t taken; /* Position of the first byte of the buffer in the whole stream. */
     uint8_t bytes[HID_SOURCE_BYTES];
 };
 

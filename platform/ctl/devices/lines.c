@@ -32,7 +32,7 @@ static volatile sig_atomic_t is_stopped;
 struct request {
     struct gpio_wire wires[GPIO_ROLE_COUNT];
     enum gpio_role role; /* Role of the last line that the command line configures. */
-    uint32_t seconds;    /* Duration in seconds. 0 means that --seconds was not given. */
+    uint32_t seconds;    /* Value of the option --seconds. 0 means that the option was not given. */
     const char *word;    /* Last argument: "on", "off" or a number of pulses. Null means that the
                             argument is absent. */
 };
@@ -78,9 +78,9 @@ static const char *or_dash(const char *text)
 static void print_line_info(void *context, const struct gpio_line_info *line)
 {
     FILE *out = context;
-    struct gpio_line_info shown = *line; /* Copy of the line's description, in which all texts are
-                                            made printable. The consumer of a line chooses its own
-                                            name, so the name may contain any character. */
+    /* The texts of the line are made printable in a copy, because any program can set the consumer
+     * name of a line that it uses. */
+    struct gpio_line_info shown = *line;
     printable(shown.device);
     printable(shown.chip);
     printable(shown.name);
@@ -97,8 +97,8 @@ enum exit_code lines_list(struct gpio_lines lines, FILE *out)
     fputs("device\tchip\toffset\tname\tdirection\tactive\theld_by\n", out);
     const int count = lines.ops->list(lines.self, print_line_info, out);
     if (print_flush(out) != 0) {
-        return EXIT_NOT_SO; /* A write to standard output failed. main() prints the error
-                               message. */
+        /* Writing to standard output failed. main() prints the error message. */
+        return EXIT_NOT_SO;
     }
     if (count == HAL_ERR_ABSENT) {
         return print_fail(EXIT_NOT_SO,

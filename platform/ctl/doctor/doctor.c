@@ -22,7 +22,7 @@ static const char name[] = "doctor";
 static struct doctor doctor;
 
 struct doctor_words {
-    struct options options; /* Options of the kiosk. */
+    struct options options; /* Options with which the kiosk would run. */
     const char *root, *user;
     bool as_json;
 };
@@ -50,8 +50,9 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
     }
     snprintf(user->name, sizeof user->name, "%s", entry ? entry->pw_name : "this user");
     if (entry && getgrouplist(entry->pw_name, entry->pw_gid, user->groups, &count) < 0) {
-        count = DOCTOR_GROUPS_MAX; /* The account has more groups than the array. Only the first
-                                      DOCTOR_GROUPS_MAX groups are checked. */
+        /* The account has more groups than the array has elements. Only the first DOCTOR_GROUPS_MAX
+         * groups are checked. */
+        count = DOCTOR_GROUPS_MAX;
     }
     user->group_count = entry ? (uint32_t)count : 0;
     return EXIT_OK;
@@ -111,8 +112,8 @@ static enum exit_code read_config(struct doctor_words *words, int argc, const ch
     }
     words->options = (struct options){ 0 };
     memcpy(words->options.config, path, sizeof path);
-    memcpy(doctor.options.config, path, sizeof path); /* doctor_warn() prints the path of the
-                                                         configuration file. */
+    /* The path of the configuration file is stored first, because doctor_warn() prints it. */
+    memcpy(doctor.options.config, path, sizeof path);
     const int failed = config_file_read(&words->options, path, doctor_warn);
     if (failed) {
         print_error("kingyoctl doctor: %s: %s", path, file_error(-failed));

@@ -23,8 +23,8 @@ static const char *const level_words[] = { "fine", "look", "WRONG" };
 struct doctor_finding *doctor_find(struct doctor *doctor, const char *part, enum doctor_level level,
                                    const char *what, ...)
 {
-    static struct doctor_finding spare; /* Scratch finding that is returned when the list is full.
-                                           Its content is never printed. */
+    /* Returned in place of a finding when the list is full. Its content is never printed. */
+    static struct doctor_finding spare;
     const bool has_room = doctor->count < DOCTOR_FINDINGS_MAX;
     CORE_ASSERT(part && level <= DOCTOR_WRONG);
     struct doctor_finding *finding = has_room ? &doctor->finding[doctor->count++] : &spare;
@@ -118,12 +118,13 @@ int doctor_may_use(const struct doctor *doctor, const char *path)
         return errno;
     }
     if (doctor->user.id == geteuid() && access(whole, R_OK | W_OK) == 0) {
-        return 0; /* The user may have access through an access control list, even if the mode bits
-                     allow no access. For example, a user who is logged in at the machine has access
-                     to many devices through access control lists. */
+        /* The user has access, even if the mode bits allow no access. The reason is an access
+         * control list: for example, a user who is logged in at the machine gets access to many
+         * devices by such lists. */
+        return 0;
     }
-    /* The check uses only the mode bits of the first matching class (owner, group or others), as
-     * the kernel does. */
+    /* The check uses the mode bits of one class only, as the kernel does: of the owner, otherwise
+     * of the group, otherwise of others. */
     bool is_member = false;
     CORE_ASSERT(doctor->user.group_count <= DOCTOR_GROUPS_MAX);
     for (uint32_t i = 0; i < doctor->user.group_count; i++) {

@@ -133,9 +133,8 @@ void doctor_gpio(struct doctor *doctor)
         }
     }
     for (uint32_t i = 0; i < doctor->options.line_count; i++) {
-        (void)gpio_wire_read(doctor->options.line[i], wires, why); /* The option parser has already
-                                                                      validated the text, so the
-                                                                      result needs no check. */
+        /* The result needs no check, because the option parser has already validated the text. */
+        (void)gpio_wire_read(doctor->options.line[i], wires, why);
     }
     for (uint32_t role = 0; role < GPIO_ROLE_COUNT; role++) {
         if (wires[role].wired) {

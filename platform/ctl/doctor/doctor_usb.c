@@ -96,8 +96,9 @@ static bool is_better(const struct usb_choice *choice, const struct usb_interfac
                       const struct usb_interface *b)
 {
     struct usb_candidate first = a->subject, second = b->subject;
-    if (!first.identity || !second.identity) { /* An interface without an identity is not a HID
-                                                  interface. */
+    /* An interface whose `identity` is null is not a HID interface. A HID interface is always
+     * better than such an interface. */
+    if (!first.identity || !second.identity) {
         return !first.identity == !second.identity ? a->number < b->number : !second.identity;
     }
     struct hid_identity one = *first.identity, other = *second.identity;
@@ -109,10 +110,10 @@ static bool is_better(const struct usb_choice *choice, const struct usb_interfac
 }
 
 /* Reads the device at `device->port` and selects its best interface for the kiosk
- * (usb_choice_is_better()). An interface that the kiosk can use at once is preferred. The next best
- * is one whose descriptor must be read first, then one that the operator must teach. For a HID
- * interface, `best->subject` points to `device->identity`. `device` must therefore outlive
- * `best`. */
+ * (usb_choice_is_better()). An interface that the kiosk can use at once is preferred. The second
+ * choice is an interface whose descriptor must be read first. The third choice is an interface
+ * whose controller the operator must let the kiosk learn. For a HID interface, `best->subject`
+ * points to `device->identity`. `device` must therefore outlive `best`. */
 static void read_usb(const struct doctor *doctor, const struct usb_choice *choice,
                      struct usb_device *device, struct usb_interface *best)
 {
@@ -146,8 +147,9 @@ static void read_usb(const struct doctor *doctor, const struct usb_choice *choic
     }
 }
 
-/* The ids of board/udev/70-kingyo.rules. The table is a copy, so that doctor runs without the rules
- * file. A test in tests/ctl compares the table with the rules file. */
+/* Vendor and product ids of the controllers in Kingyo's udev rules file,
+ * board/udev/70-kingyo.rules. The table is a copy, so that doctor runs without the rules file. A
+ * test in tests/ctl compares the table with the rules file. */
 /* clang-format off */
 static const struct {
     uint16_t vendor, product;
@@ -164,9 +166,9 @@ static const struct {
 };
 /* clang-format on */
 
-/* Writes the advice for a controller to `out`. If the rules list the controller, the advice is to
- * install Kingyo's rules. Otherwise the advice contains the rule that must be added for the
- * controller. */
+/* Writes the advice for a controller to `out`. If Kingyo's udev rules file lists the controller,
+ * the advice is to install the file. Otherwise the advice contains the udev rule that must be added
+ * for the controller. */
 static void write_rules_todo(char *out, size_t size, uint16_t vendor, uint16_t product)
 {
     bool is_listed = false;
@@ -267,7 +269,7 @@ static void report_controller(struct doctor *doctor, const struct usb_device *de
     }
 }
 
-/* Returns true if the option --usb number `option` names the device. */
+/* Returns true if the option --usb with the index `option` names the device. */
 static bool is_named(const struct doctor *doctor, uint32_t option,
                      const struct hid_identity *identity)
 {
@@ -342,7 +344,7 @@ void doctor_usb(struct doctor *doctor)
     struct usb_choice choice = { 0 };
     uint32_t count = 0, shown = 0;
     doctor_list(doctor, USB_DEVICES, "", &ports);
-    /* The operator's menu writes the selected devices to usb.txt. */
+    /* usb.txt contains the devices that were selected in the operator's menu. */
     snprintf(path, sizeof path, "%.1000s%.1000s/usb.txt", doctor->root, doctor->options.data);
     usb_choice_load(&choice, doctor->options.data[0] ? path : "", why);
     for (uint32_t i = 0; i < doctor->options.usb_count; i++) {

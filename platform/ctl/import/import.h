@@ -41,16 +41,16 @@ struct import_mesh {
     uint32_t triangles[IMPORT_TRIANGLE_MAX][3];
     uint8_t groups[IMPORT_TRIANGLE_MAX];
     bool has_uv, has_colours;
-    /* Animated display scale of each key shape. The value is 1 if the file has no animated
-     * scale. */
+    /* Display scale of each key shape, from an animation in the file. The value is 1 if the file
+     * does not animate the scale. */
     float scales[MORPH_KEY_MAX];
     bool has_life;   /* True if the file contains the age and the length of each key shape. */
     uint8_t measure; /* Kind of length measure that `lengths_m` uses (enum species_measure). */
     float ages_days[MORPH_KEY_MAX], lengths_m[MORPH_KEY_MAX];
     bool has_coats; /* True if the file contains the colours of each key shape in `coats`. */
     struct species_coat coats[MORPH_KEY_MAX];
-    /* True if kingyoctl wrote the file. The texture coordinates are then the body coordinates u and
-     * v. */
+    /* True if kingyoctl wrote the file. The texture coordinates are then the body coordinates u
+     * (along the body) and v (around the body). */
     bool is_ours;
     /* Number of keyframes in the animation of the weights. 0 means that the file does not animate
      * the weights. */
@@ -115,8 +115,8 @@ struct import_options {
     /* Directions of the snout (`front`) and of the back (`up`) in the file (enum import_axis). If
      * `front` is AXIS_NONE, the direction is detected. */
     uint8_t front, up;
-    /* Values as in struct species_card. 255 selects the value of the species `like`, or the default
-     * if `like` is null. */
+    /* Values as in struct species_card. 255 means that the option is absent. The value of the
+     * species `like` then applies, or the default if `like` is null. */
     uint8_t measure, motion, form;
     /* Template of the deformation graph (enum graph_template). TEMPLATE_OWN selects the graph of
      * the file. */
@@ -137,13 +137,14 @@ struct import_options {
 /* Results of the import that kingyoctl prints, for example "front -x, 426 vertices, ...". */
 struct import_report {
     uint8_t front;
-    float size[MORPH_KEY_MAX]; /* Size of each key shape in the unit of the file. */
-    uint32_t joined_count;     /* Number of vertices that were merged with other vertices. */
+    /* Size of each key shape before it was scaled, in the unit of the file. */
+    float size[MORPH_KEY_MAX];
+    uint32_t joined_count; /* Number of vertices that were merged with other vertices. */
     /* Greatest difference between the weights of the deformation graph and the animation of the
      * file. */
     float graph_error;
-    /* Number of knots of the deformation graph that approximate the animation of the file. 0 means
-     * that the file has no animation. */
+    /* Number of knots of the deformation graph that were chosen to approximate the animation of the
+     * file. 0 means that the file has no animation. */
     uint32_t knot_count;
 };
 
@@ -180,9 +181,9 @@ bool import_fitted_life(const struct import_options *plan, struct species_card *
 void import_normals(const struct species_mesh *mesh, uint32_t index_count, const vec3 *positions,
                     const uint32_t *place, vec3 normals[MESH_VERTEX_MAX]);
 
-/* Returns the part of the fish to which a group of triangles belongs, as detected from words in the
- * group's name. For example, "Fin_dorsal.L" is the dorsal fin. A name without a known word is the
- * body. */
+/* Returns the part of the fish to which a group of triangles belongs. The part is detected from
+ * words in the group's name. For example, "Fin_dorsal.L" is the dorsal fin. A group whose name has
+ * no known word belongs to the body. */
 enum species_part import_part(const char *group);
 
 /* Returns the part of the fish to which a triangle of the mesh belongs. */

@@ -30,7 +30,8 @@ struct builder {
     struct species_mesh *out;
     char *why;
     float reach;
-    uint32_t key; /* Index of the last key shape, from which the body coordinates are computed. */
+    /* Index of the last key shape. The body coordinates are computed from this key shape. */
+    uint32_t key;
     struct corner corners[MESH_VERTEX_MAX];
     uint32_t place[MESH_VERTEX_MAX]; /* Index of a place for each vertex. The place is the first
                                         vertex of the same part that has the same position. */
@@ -49,9 +50,9 @@ static enum species_side import_build_side_of(const struct builder *b, enum spec
         return SIDE_MIDDLE;
     }
     for (uint32_t k = 0; k < 3; k++) {
-        x += m->positions[0][m->triangles[t][k]].x; /* Key shape 0 is used, because the eyes of a
-                                                       young flatfish are still on both sides of its
-                                                       head. */
+        /* The x coordinates are taken from key shape 0, because the eyes of a young flatfish are
+         * still on both sides of its head. */
+        x += m->positions[0][m->triangles[t][k]].x;
     }
     return x >= 0.0f ? SIDE_RIGHT : SIDE_LEFT;
 }
@@ -192,7 +193,7 @@ static bool add_triangles(struct builder *b)
         }
         if (!b->mesh->is_ours) {
             /* If a body triangle crosses the seam between v = 1 and v = 0, 1 is added to each v
-             * after the seam. */
+             * below 0.5. */
             float low = 1.0f, high = 0.0f;
             for (uint32_t k = 0; k < 3; k++) {
                 low = fminf(low, corner[k].v);

@@ -14,8 +14,8 @@
 
 #include "platform/ctl/import/import_flat.h"
 
-/* Names of the library file, tried in this order. The first name is the version whose headers this
- * program was built with. */
+/* Names of the library file. The loader tries the names in this order. The first name is the
+ * version whose headers this program was built with. */
 static const char *const libraries[] = { "libassimp.so.5", "libassimp.so" };
 
 struct assimp {
@@ -129,7 +129,7 @@ static void read_life(struct flattening *f)
         m->lengths_m[key] = number_of(life, "length_m");
         m->has_coats = m->has_coats && entry_of(life, "back");
         struct species_coat *coat = &m->coats[key];
-        const float colour = 16777215.0f; /* Largest valid colour, 0xffffff (white). */
+        const float colour = 16777215.0f; /* Largest valid colour (0xffffff, white) as a number. */
         *coat = (struct species_coat){ .back = whole_of(life, "back", colour),
                                        .flank = whole_of(life, "flank", colour),
                                        .belly = whole_of(life, "belly", colour),

@@ -26,8 +26,8 @@ struct place {
 /* A scene node and its transforms. */
 struct import_nodes_node {
     const struct aiNode *node;
-    /* Transform from the axes of the node to the axes of the scene at each key shape. The scale of
-     * a growing node is not included. */
+    /* Transform from the axes of the node to the axes of the scene at each key shape. If the node
+     * grows, its growth scale is not included. */
     struct place at[MORPH_KEY_MAX];
 };
 
@@ -47,8 +47,8 @@ struct import_nodes {
  * Returns false if the scene has more than NODE_MAX nodes. */
 bool import_nodes_fill(struct import_nodes *standing, const struct aiScene *scene);
 
-/* Returns true if the animation rotates or moves any node. A growing node, whose uniform scale
- * changes, does not count. */
+/* Returns true if the animation rotates or moves any node. The changing scale of a growing node
+ * does not count as motion. */
 bool import_nodes_moves(const struct aiScene *scene);
 
 /* Returns the animation time of key shape `key`. */

@@ -1,7 +1,8 @@
 /* import_keys.c -- selects the key shapes of a scene, sorts them by age, and reads their
  * deformation graph. */
-#include <stddef.h> /* This header is included so that the file is not empty without assimp. An
-                       empty source file is not valid C. */
+/* Included only so that the file is not empty in a build without assimp. An empty source file is
+ * not valid C. */
+#include <stddef.h>
 
 #ifdef HAS_ASSIMP
 
@@ -66,8 +67,8 @@ static const struct aiMeshMorphAnim *first_weights(const struct flattening *f)
                                                              : NULL;
 }
 
-/* Returns the weight of a morph target at a keyframe. The weight of the base shape is 1 minus the
- * sum of the weights of all morph targets. */
+/* Returns the weight of the morph target `target` at a keyframe. For KEY_BASE, returns the weight
+ * of the base shape, which is 1 minus the sum of the weights of all morph targets. */
 static double weight_of(const struct aiMeshMorphKey *moment, uint32_t target)
 {
     double sum = 0.0, own = 0.0;
@@ -79,9 +80,9 @@ static double weight_of(const struct aiMeshMorphKey *moment, uint32_t target)
     return target != KEY_BASE ? own : sum > 1.0 && sum < 1.0 + 1e-5 ? 0.0 : 1.0 - sum;
 }
 
-/* Sorts the key shapes by their mean animation time, in which each keyframe counts with the weight
- * that the morph target has at the keyframe. Without an animation, the base shape is the youngest
- * key shape. */
+/* Sorts the key shapes by their mean animation time. In this mean, each keyframe counts with the
+ * weight that the morph target has at the keyframe. Without an animation, the base shape is the
+ * youngest key shape. */
 static void sort_by_season(struct flattening *f, const struct aiMeshMorphAnim *channel)
 {
     double season[MORPH_KEY_MAX];
@@ -207,7 +208,8 @@ bool import_keys_read_weights(struct flattening *f)
 
 #else
 
-typedef int import_keys_without_assimp; /* Declaration for a build without assimp, because an empty
-                                           source file is not valid C. */
+/* This declaration only prevents an empty source file in a build without assimp, because an empty
+ * source file is not valid C. */
+typedef int import_keys_without_assimp;
 
 #endif

@@ -34,8 +34,8 @@ static void name_keys(const struct import_mesh *mesh, const struct import_option
             memcpy(name, plan->names[key], SPECIES_NAME_SIZE);
             continue;
         }
-        /* Convert the name of another program to a valid name of a key shape. For example,
-         * "Shape Key.001" becomes shape_key_001. */
+        /* Converts the name that another program gave to the key shape to a valid name. For
+         * example, "Shape Key.001" becomes shape_key_001. */
         uint32_t length = 0;
         for (const char *from = mesh->key_names[key]; *from && length + 1 < SPECIES_NAME_SIZE;
              from++) {
@@ -95,10 +95,9 @@ static void set_growth(const struct import_options *plan, struct species_card *c
     *g = (struct growth){ .length_inf_m = (float)(GROWN * (double)card->key_length_m[last]),
                           .fade_year = FADE_YEAR };
     const double grown_years = (double)card->key_age_days[last] / DAYS_PER_YEAR;
-    const double k_years = -log(1.0 - 1.0 / GROWN); /* Product of the growth coefficient K and the
-                                                       time in years from t0 to the age of the last
-                                                       key shape, at which the fish has the length
-                                                       of the last key shape. */
+    /* `k_years` is the growth coefficient K multiplied by the time in years from t0 (length 0) to
+     * the age of the last key shape. At this age the fish has the length of the last key shape. */
+    const double k_years = -log(1.0 - 1.0 / GROWN);
     g->k_per_year = (float)fmin(k_years / fmax(grown_years, 0.01), K_MAX);
     g->t0_year = (float)(grown_years - k_years / (double)g->k_per_year);
     if (card->key_age_days[0] > 0.0f) {
@@ -189,8 +188,8 @@ static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
     for (uint32_t i = 0; i < count; i++) {
         struct graph_knot *knot = &graph->knots[i];
         knot->progress = i + 1 == count ? 1.0f : (mesh->times[chosen[i]] - begin) / span;
-        /* Copy the weights of the keyframe and scale their sum to 1. Files contain rounded
-         * weights, but the deformation graph requires a sum of exactly 1. */
+        /* Copies the weights of the keyframe and scales them so that their sum is 1. Files contain
+         * rounded weights, but the deformation graph requires a sum of exactly 1. */
         const float *from = mesh->weights[chosen[i]];
         double sum = 0.0;
         for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
@@ -241,8 +240,8 @@ static void set_coats(const struct import_mesh *mesh, const struct import_option
                                  .fin = 0x7d8a90,
                                  .iris = 0xc9b26a,
                                  .shine = 90 };
-    /* Colours of the coat, each with the part and the height of the vertices from which
-     * mean_colour() computes the colour. */
+    /* Each colour of the coat, with the part and the height of the vertices from which
+     * mean_colour() computes it. */
     const struct {
         uint32_t *colour;
         enum species_part part;
@@ -297,7 +296,7 @@ bool import_fitted_life(const struct import_options *plan, struct species_card *
         return false;
     }
     strncpy(card->id, plan->id,
-            sizeof card->id - 1); /* strncpy() also clears the rest of the id. */
+            sizeof card->id - 1); /* strncpy() also fills the rest of the id with zeros. */
     for (uint32_t key = 0; key < plan->name_count; key++) {
         memcpy(card->key_names[key], plan->names[key], SPECIES_NAME_SIZE);
     }

@@ -123,7 +123,8 @@ static bool read_face(struct obj *o, char *text)
         if (count == CORNER_MAX) {
             return import_obj_error(o, "a face of more than %d corners", CORNER_MAX);
         }
-        /* A corner of a face has the form "v", "v/vt", "v//vn" or "v/vt/vn". */
+        /* A corner of a face has one of the forms "v", "v/vt", "v//vn" and "v/vt/vn", where v, vt
+         * and vn are indices of a position, a texture coordinate and a normal. */
         char *end = NULL;
         uint32_t uv;
         errno = 0;
@@ -282,7 +283,8 @@ enum exit_code import_obj(struct import_mesh *mesh, uint32_t key, const char *pa
     }
     o = (struct obj){ .mesh = mesh, .key = key, .path = path, .why = why };
     if (key == 0) {
-        /* Key shape 0 clears the data that all key shapes share. */
+        /* The file of key shape 0 defines the data that all key shapes share, so these data are
+         * cleared first. */
         mesh->vertex_count = mesh->triangle_count = mesh->time_count = 0;
         memset(mesh->uv, 0, sizeof mesh->uv);
         mesh->has_uv = mesh->has_colours = mesh->is_ours = false;

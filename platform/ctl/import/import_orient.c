@@ -7,20 +7,21 @@
 #include "core/base/panic.h"
 #include "platform/ctl/import/import.h"
 
-/* Distance between the body's centre and the middle of the body's extent, as a fraction of the
- * body's length. If the distance is smaller, head and tail cannot be distinguished. */
+/* The head is at the end toward which the centre of the eyes (or, without named eyes, of the body's
+ * triangles) is shifted from the middle of the fish. If the shift is smaller than this fraction of
+ * the fish's length, head and tail cannot be distinguished. */
 #define UNCLEAR_SHARE 0.015
 
-/* Ratio of the length to the width of a fish. If the ratio is smaller, the direction of the head is
- * ambiguous, for example for a ray seen from above. */
+/* Minimum ratio of the length to the width of a fish. With a smaller ratio, the direction of the
+ * head is ambiguous, for example for a ray seen from above. */
 #define SQUARE_RATIO 1.15
 
-/* Height of a range around the middle of the body, as a fraction of the body's height. The shortest
- * rays of a forked tail fin lie in this range. */
+/* Height of a zone around the middle of the body, as a fraction of the body's height. The shortest
+ * rays of a forked tail fin lie in this zone. */
 #define MIDDLE_SHARE 0.1f
 
-/* Tolerance for the size of a mesh that kingyoctl wrote, because its polygons only approximate the
- * exact length measure. */
+/* Tolerance for the size of a mesh that kingyoctl wrote. The size differs slightly from 1, because
+ * the polygons only approximate the exact length measure. */
 #define OURS_OFF 0.1f
 
 const char *const import_axis_names[AXIS_NONE] = { "+x", "+y", "+z", "-x", "-y", "-z" };
@@ -183,9 +184,9 @@ bool import_orient(struct import_mesh *mesh, const struct import_options *plan,
             *p = v3(v3_dot(*p, right), v3_dot(*p, up), v3_dot(*p, back));
         }
     }
-    bool is_settled = mesh->is_ours; /* True if the mesh needs no scaling. A mesh that kingyoctl
-                                        wrote already has the size and the position that a species
-                                        requires. */
+    /* True if the mesh needs no shift and no scaling. A mesh that kingyoctl wrote already has the
+     * size and the position that a species requires. */
+    bool is_settled = mesh->is_ours;
     for (uint32_t key = 0; key < mesh->key_count; key++) {
         const struct extent extent =
             extent_of(mesh, key, plan->measure == MEASURE_DISC ? AXIS_X : AXIS_Z,

@@ -1,8 +1,9 @@
 /* import_shapes.c -- computes the transforms of nested scene nodes at the time of each key shape,
  * and adds the meshes of a scene to the result in every key shape, transformed by nodes and
  * joints. */
-#include <stddef.h> /* This header is included so that the file is not empty without assimp. An
-                       empty source file is not valid C. */
+/* Included only so that the file is not empty in a build without assimp. An empty source file is
+ * not valid C. */
+#include <stddef.h>
 
 #ifdef HAS_ASSIMP
 
@@ -19,7 +20,7 @@
 static struct place place_of(const struct aiMatrix4x4 *a)
 {
     struct place p;
-    memcpy(p.m, a, sizeof p.m); /* The matrix has its rows in the order of `m`. */
+    memcpy(p.m, a, sizeof p.m); /* assimp stores the rows of the matrix in the same order as `m`. */
     return p;
 }
 
@@ -288,10 +289,9 @@ static bool add_vertices(struct flattening *f, const struct import_nodes_node *n
         m->uv[at][0] = m->uv[at][1] = 0.0f;
         if (mesh->mTextureCoords[0]) {
             m->uv[at][0] = mesh->mTextureCoords[0][i].x;
-            m->uv[at][1] = 1.0f - mesh->mTextureCoords[0][i].y; /* assimp flips the vertical
-                                                                   texture coordinate. The second
-                                                                   flip restores the value in the
-                                                                   file. */
+            /* assimp has flipped the vertical texture coordinate. Flipping it again restores the
+             * value of the file. */
+            m->uv[at][1] = 1.0f - mesh->mTextureCoords[0][i].y;
         }
         m->colours[at] = mesh->mColors[0] ? colour_of(&mesh->mColors[0][i]) : 0x808080u;
     }
@@ -389,7 +389,8 @@ bool import_shapes_add_meshes(struct flattening *f)
 
 #else
 
-typedef int import_shapes_without_assimp; /* Declaration for a build without assimp, because an
-                                             empty source file is not valid C. */
+/* This declaration only prevents an empty source file in a build without assimp, because an empty
+ * source file is not valid C. */
+typedef int import_shapes_without_assimp;
 
 #endif

@@ -10,7 +10,7 @@
 
 #define ROUNDS 24u
 /* Number of Gauss-Seidel sweeps (passes over all vertices) in each round. After 30 sweeps the
- * remaining error is about a thousandth. */
+ * remaining error is about a thousandth of the initial error. */
 #define SWEEPS 30u
 /* Stiffness of an edge between two template vertices in the first fitting round. A pull of a vertex
  * toward the mesh has the stiffness 1. */
@@ -54,8 +54,8 @@ static void refit_draw(uint32_t place, vec3 toward, float weight)
     fit.weight[place] += weight;
 }
 
-/* Adds the pulls of the mesh's vertices on the nearest vertices of the template. Without these
- * pulls, the rims and the tips of fins would be too short. */
+/* Adds the pulls that the vertices of the mesh exert on the nearest vertices of the template.
+ * Without these pulls, the rims and the tips of fins would become too short. */
 static void draw_from_mesh(const struct import_mesh *mesh)
 {
     const uint32_t step = mesh->triangle_count / BACK_MAX + 1u;
@@ -88,7 +88,8 @@ static void draw_from_mesh(const struct import_mesh *mesh)
 }
 
 /* Moves each place to the position at which its pull and the edges to its neighbours are in
- * balance. An edge resists any change from its rest shape. */
+ * balance. Each edge acts as a spring with the stiffness `stiff` and resists any change from its
+ * rest shape. */
 static void refit_relax(float stiff)
 {
     for (uint32_t sweep = 0; sweep < SWEEPS; sweep++) {
@@ -120,7 +121,8 @@ static void put_point(struct species_slot *slot, uint32_t lod, uint32_t key, uin
                                 morph_count(position.z, reach), morph_fold_normal(normal) };
 }
 
-/* Writes the body's skin first, because the position of an anchored part depends on the skin. */
+/* Writes the points of the body's skin first, because the position of an anchored part depends on
+ * the skin. */
 static void write_points(struct species_slot *slot, uint32_t lod, uint32_t key)
 {
     static vec3 normals[MESH_VERTEX_MAX];
@@ -243,9 +245,9 @@ static void refit_begin(const struct species_slot *slot, uint32_t lod, uint32_t 
     }
 }
 
-/* Scales the far mesh to the fish's measured length. The fit of the far mesh ends slightly
- * before the tips, because the mesh has few vertices and each vertex moves to the mean of
- * several pulls. */
+/* Scales the far mesh to the fish's measured length. Without this scaling, the fitted far mesh
+ * would end slightly before the fish's tips, because it has few vertices and each vertex moves to
+ * the mean of several pulls. */
 static void stretch_to_measure(uint8_t measure)
 {
     const bool across = measure == MEASURE_DISC;
@@ -296,7 +298,7 @@ static void fit_lod(struct species_slot *slot, uint32_t lod, uint32_t key,
         for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
             fit.now[i] = fit.now[fit.place[i]];
         }
-        /* The new shape becomes the rest shape of the edges in the next round. */
+        /* The result of this round becomes the rest shape of the edges in the next round. */
         memcpy(fit.rest, fit.now, sizeof fit.rest);
     }
     if (lod > 0) {
@@ -326,7 +328,7 @@ void refit_key(struct species_slot *slot, uint32_t key, const struct import_mesh
                        mesh->positions[0][t[2]], (uint8_t)import_part_of(mesh, i));
     }
     refit_tree_build(&target_tree);
-    /* `stray` becomes the landmark with the greatest distance from the surface of the mesh. */
+    /* Finds the landmark that is farthest from the surface of the mesh. */
     result->stray = "";
     result->stray_gap = 0.0f;
     for (uint32_t i = 0; i < marks->count; i++) {

@@ -56,8 +56,8 @@ struct refit_result {
     /* Greatest distance between a landmark of the fitted template and the same landmark of the
      * mesh. */
     float mark_max;
-    /* Name of the mesh's landmark that is farthest from the surface of the mesh. "" means that
-     * there are no landmarks. The string belongs to the list of landmarks. */
+    /* Name of the landmark that is farthest from the surface of the mesh (a stray landmark). ""
+     * means that there are no landmarks. The string belongs to the list of landmarks. */
     const char *stray;
     float stray_gap; /* Distance of the landmark `stray` from the surface of the mesh. */
 };

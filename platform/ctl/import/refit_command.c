@@ -61,7 +61,7 @@ static bool orient(struct import_mesh *mesh, struct refit_marks *marks,
         mesh->positions[0][first + i] = marks->marks[i].place;
     }
     mesh->vertex_count += marks->count;
-    mesh->key_count = 1; /* Only the first key shape of a scene is used. */
+    mesh->key_count = 1; /* Only the first key shape of a mesh file is used. */
     axis_from(marks, "back", "belly", &own.up);
     axis_from(marks, "snout", "tail_root", &own.front);
     const bool good = import_orient(mesh, &own, &report, why);

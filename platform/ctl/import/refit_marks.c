@@ -25,7 +25,7 @@ enum rule {
         { name "_end", RULE_NEAR, part, side, 1.0f, 0.0f },                                        \
         { name "_tip", RULE_NEAR, part, side, 0.0f, 1.0f }
 
-/* All landmarks. SIDE_MIDDLE selects the vertices of both sides. */
+/* All landmarks and how they are found. SIDE_MIDDLE selects the vertices of both sides. */
 static const struct landmark {
     const char *name;
     enum rule rule;
@@ -159,11 +159,11 @@ bool refit_marks_of_template(const struct species_mesh *mesh, const vec3 *positi
 /* ---- Warp between two sets of landmarks ------------------------------------------------------ */
 
 #define SYSTEM_MAX REFIT_MARKS_MAX
-/* Regularization of the affine transform, in squared body lengths for each landmark. */
+/* Regularization of the linear transform, in squared body lengths for each landmark. */
 #define RIDGE 0.0005
 #define REACH 0.8 /* Radius of the displacement around a landmark, in body lengths. */
-/* Regularization of the displacements around landmarks. Two landmarks that nearly coincide may keep
- * an error of this fraction of the difference between their displacements. */
+/* Regularization of the displacements around landmarks. If two landmarks nearly coincide and their
+ * displacements differ, an error of this fraction of the difference may remain. */
 #define SLACK 1e-4
 
 static double point_distance(vec3 a, vec3 b)
@@ -199,9 +199,9 @@ static void solve(double m[SYSTEM_MAX][SYSTEM_MAX + 3], uint32_t n)
     }
 }
 
-/* Returns Wendland's function at the distance `r` from a landmark. The value is 1 at the
- * landmark and decreases smoothly to 0 at the distance REACH. The resulting linear system is
- * never singular. */
+/* Returns Wendland's function at the distance `r` from a landmark. The value is 1 at the landmark
+ * and decreases smoothly to 0 at the distance REACH. With this function, the linear system for the
+ * weights of the displacements is never singular. */
 static double bump(double r)
 {
     const double t = fmax(1.0 - r / REACH, 0.0);
@@ -239,10 +239,10 @@ void refit_marks_warp(const vec3 *from, const vec3 *to, uint32_t n, vec3 *points
         return;
     }
     const vec3 middle = mean_of(from, n), goal = mean_of(to, n);
-    /* Compute the best linear transform from the offsets of `from` to the offsets of `to`. The
-     * result is a 3 x 3 matrix in `m` that converts an offset from the centre of `from` to a
-     * displacement. The transform is regularized toward the identity. If all landmarks lie in a
-     * plane, they do not determine the deformation perpendicular to the plane. */
+    /* Fits the linear transform that best maps the landmarks of `from` to the landmarks of `to`.
+     * The result is the 3 x 3 matrix in `m`. It maps the offset of a landmark from the centre of
+     * `from` to the landmark's displacement. The fit is regularized toward no displacement, because
+     * landmarks in one plane do not determine the deformation perpendicular to the plane. */
     memset(m, 0, 3 * sizeof *m);
     for (uint32_t i = 0; i < n; i++) {
         const vec3 p = v3_sub(from[i], middle), way = v3_sub(v3_sub(to[i], goal), p);
@@ -264,9 +264,8 @@ void refit_marks_warp(const vec3 *from, const vec3 *to, uint32_t n, vec3 *points
     for (uint32_t i = 0; i < count; i++) {
         points[i] = stretched(m, points[i], middle, goal);
     }
-    /* Compute the weights of the displacements around the landmarks. The affine transform does not
-     * move each landmark exactly to its target. The displacements together add the missing
-     * distance. */
+    /* Computes the weights of the displacements around the landmarks. The linear transform does not
+     * move each landmark exactly to its target, so the displacements add the missing distance. */
     memset(m, 0, sizeof m);
     for (uint32_t i = 0; i < n; i++) {
         const vec3 way = v3_sub(to[i], at[i]);

@@ -12,7 +12,8 @@
 #include "platform/os/png.h"
 #include "platform/render/ui/text.h"
 
-/* Minimum width of a letter's soft edge, in pixels of the font atlas. */
+/* Minimum width of the soft edge of a letter, in pixels of the font atlas. The font atlas is the
+ * texture with all letters. */
 #define FONT_PIXEL_MIN 0.6f
 
 bool canvas_open(struct canvas *canvas, uint32_t width, uint32_t height)
@@ -56,8 +57,9 @@ vec3 canvas_colour(uint32_t rgb)
 /* ---- Rectangles ------------------------------------------------------------------------------ */
 
 struct span {
-    uint32_t first, end; /* `first` is the first pixel that the range touches. `end` is one more
-                            than the last such pixel. */
+    /* `first` is the first pixel that the range touches. `end` is the pixel after the last one that
+     * the range touches. */
+    uint32_t first, end;
 };
 
 static struct span touched_pixels(float from, float size, uint32_t limit)

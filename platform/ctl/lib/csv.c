@@ -76,7 +76,7 @@ static char *cut_field(char **rest)
     return field;
 }
 
-/* Notes that the column `name` is at position `number` in the file. */
+/* Records that the column `name` is the `number`-th column of the file, counted from 1. */
 static enum exit_code take_name(struct csv *csv, const char *name, uint32_t number)
 {
     char list[LIST_MAX] = "";
@@ -156,8 +156,8 @@ static enum exit_code read_row(struct csv *csv, double *values, bool *is_end)
         while (index + 1u < csv->column_count && csv->field_of[index] != number) {
             index++;
         }
-        CORE_ASSERT(csv->field_of[index] == number); /* The header line has named a column for the
-                                                        position `number`. */
+        /* The header line defines a column at each position, so the assertion holds. */
+        CORE_ASSERT(csv->field_of[index] == number);
         const char *text = cut_field(&rest);
         if (!text) {
             return csv_error(csv, index, "is missing: the line ends before it");

@@ -8,14 +8,14 @@
 #define FIN_ROOT_HIDES 0.92f
 #define FIN_TIP_HIDES 0.55f
 #define FIN_RAYS 13.0f /* Number of fin rays, equal to the number that the kiosk draws. */
-/* Loss of a fin's opacity halfway between two fin rays, as a fraction of the opacity on a fin
- * ray. */
+/* A fin is less opaque between two fin rays than on a fin ray. This is the loss of opacity halfway
+ * between two rays, as a fraction of the opacity on a ray. */
 #define RAY_HIDES 0.22f
-/* Loss of a fin's brightness halfway between two fin rays, as a fraction of the brightness on a fin
- * ray. */
+/* A fin is darker between two fin rays than on a fin ray. This is the loss of brightness halfway
+ * between two rays, as a fraction of the brightness on a ray. */
 #define RAY_LIGHT 0.18f
-/* Fraction of a transparent body's transparency that is lost where the surface is seen edge-on. The
- * surface reflects light there. */
+/* A transparent body is less transparent where its surface is seen edge-on, because the surface
+ * reflects light there. This is the lost fraction of the transparency. */
 #define GLASS_RIM 0.55f
 
 const char *const fish_preview_view_names[] = { "side", "above", "aslant", NULL };
@@ -108,7 +108,8 @@ static struct raster_colour fish_preview_colour_at(const void *triangle, const f
         is_fin ? f_abs(2.0f * (at.u * FIN_RAYS - floorf(at.u * FIN_RAYS)) - 1.0f) : 1.0f;
     float hides = fish_preview_hides(&paint, &at) * (1.0f - RAY_HIDES * (1.0f - ray));
     hides += (1.0f - hides) * rim * (is_fin ? 0.0f : GLASS_RIM);
-    /* The vector is half way between the directions to the lamp and to the camera. */
+    /* The highlight is brightest where the normal points half way between the directions to the
+     * lamp and to the camera. The vector has this direction. */
     const float turned = f_max(v3_dot(n, v3(-0.2373f, 0.4012f, 0.8844f)), 0.0f);
     const float shine = at.part == PART_EYE ? 1.0f : paint.shine;
     const float gloss =

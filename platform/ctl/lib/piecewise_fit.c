@@ -9,8 +9,9 @@
 
 struct sample {
     float progress;
-    bool settled; /* True if the straight line from this sample to the next sample is accurate
-                     enough. */
+    /* True if no sample is needed between this sample and the next one, because the straight line
+     * between them is accurate enough. */
+    bool settled;
 };
 
 struct samples {

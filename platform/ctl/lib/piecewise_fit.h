@@ -13,7 +13,7 @@
 #define PIECEWISE_FIT_HALVINGS 14u
 
 struct piecewise_fit_function {
-    uint32_t width; /* Number of values that the function returns for one progress. */
+    uint32_t width; /* Number of values (components) that the function returns for each progress. */
     void (*ask)(const void *self, float progress, float *values);
     /* Returns the error that occurs if the mean of `from` and `to` replaces `exact`. */
     float (*error)(const void *self, const float *from, const float *to, const float *exact);

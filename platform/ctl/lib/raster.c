@@ -11,8 +11,8 @@
 #define SAMPLE_COUNT 16u
 /* Maximum number of layers of one sample. A fish has fewer layers at every point. */
 #define PILE_MAX 32u
-/* Remaining light below which deeper layers are skipped. The value is half a step of 256 grey
- * levels. */
+/* A ray that has passed layers keeps a share of its light. If the share is below this value, deeper
+ * layers are skipped. The value is half a step of 256 grey levels. */
 #define HIDDEN 0.002f
 #define LAYERS_AT_FIRST 65536u
 
@@ -193,7 +193,8 @@ void raster_triangle(struct raster *raster, const vec3 c[3], struct raster_skin 
 /* ---- Depth order ----------------------------------------------------------------------------- */
 
 struct pile {
-    const struct raster_layer *layers[PILE_MAX]; /* Layers of one sample, nearest layer first. */
+    /* Layers that cover the sample, sorted by depth, nearest layer first. */
+    const struct raster_layer *layers[PILE_MAX];
     float depth[PILE_MAX];
     uint32_t count;
 };

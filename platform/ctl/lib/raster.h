@@ -21,16 +21,16 @@ struct raster_layer {
     /* `depth` is the depth at the centre of the pixel. A larger depth is nearer. `depth_dx` and
      * `depth_dy` are the changes of the depth per pixel to the right and per pixel down. */
     float depth, depth_dx, depth_dy;
-    /* Number of the previous layer in the list of the same pixel, counted from 1. 0 means the end
-     * of the list. */
+    /* Number, counted from 1, of the layer that was added to the same pixel before this layer. 0
+     * means the end of the pixel's list. */
     uint32_t below;
     uint16_t samples; /* Bit mask of the samples of the pixel that the triangle covers. */
 };
 
 struct raster {
     uint32_t width, height;
-    /* Number of the newest layer of each pixel, counted from 1. 0 means that the pixel has no
-     * layer. The array has width x height elements. */
+    /* Newest layer of each pixel, as a number counted from 1. 0 means that the pixel has no layer.
+     * The array has width x height elements. */
     uint32_t *top;
     struct raster_layer *layers;
     size_t layer_count, layer_room;

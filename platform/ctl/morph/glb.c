@@ -14,7 +14,8 @@
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "glTF is little-endian; so is memory");
 
-#define MAGIC 0x46546c67u /* The characters "glTF" as a little-endian number. */
+/* Magic number of a binary glTF file: the characters "glTF" in little-endian order. */
+#define MAGIC 0x46546c67u
 #define CHUNK_JSON 0x4e4f534au
 #define CHUNK_BIN 0x004e4942u
 
@@ -76,7 +77,7 @@ static void add_bound(struct json *out, const char *name, float sign, const floa
             const float value = values[i * width + k];
             bound = sign * value > sign * bound ? value : bound;
         }
-        /* 17 digits allow a reader to recover exactly the float in the buffer. */
+        /* With 17 digits, a reader gets exactly the float that is in the buffer. */
         json_value(out, NULL, "%.17g", (double)bound);
     }
     json_close(out, ']');
@@ -199,7 +200,7 @@ static int write_file(struct glb *glb, const char *path)
  * the deformation graph, the size and the joints. If the graph is solved, the weights are those of
  * the solved shapes, which stay in [0, 1]. */
 
-/* File that is being written. The variable is static because it is too large for a stack. */
+/* Fish whose file is being written. The variable is static because it is too large for a stack. */
 static struct morph_glb fish;
 
 /* Adds the node of the fish, with metadata of the species: its keys with their progress, age,

@@ -24,7 +24,7 @@ enum glb_list {
     GLB_MESHES,
     GLB_SKINS,
     GLB_NODES,
-    GLB_SCENE, /* Indices of the root nodes. */
+    GLB_SCENE, /* Indices of the root nodes of the scene. */
     GLB_SAMPLERS,
     GLB_CHANNELS,
     GLB_BUFFER,
@@ -72,9 +72,9 @@ uint32_t glb_array(struct glb *glb, enum glb_use use, enum glb_type type, const 
 #define GLB_PIECE_NODE 1u
 #define TARGET_MAX (MORPH_CURVE_MAX * (MORPH_KEY_MAX - 1u))
 
-/* Morph targets of a piece. Each curve that moves the piece has one target for each key except the
- * last key. The curve of the whole fish is always included, because this curve also blends the
- * colours. */
+/* Morph targets of a piece. Each curve of the deformation graph that moves the piece has one target
+ * for each key except the last key. The curve of the whole fish is always included, because this
+ * curve also blends the colours. */
 struct target_list {
     uint32_t count;
     uint8_t curves; /* Bit mask of the curves that have targets. Bit i is curve i. */
@@ -85,7 +85,7 @@ struct morph_glb {
     const struct morph_options *pick;
     const struct species_mesh *mesh;
     struct glb file;
-    /* Pose of the fish at progress 1. A viewer shows this pose if no animation runs. */
+    /* Pose of the fish at progress 1 (adult). A viewer shows this pose if no animation runs. */
     struct morph_pose adult;
     struct morph_mesh cut;
     /* Colour of each vertex for each key, indexed by key and vertex. */
@@ -93,8 +93,8 @@ struct morph_glb {
     struct target_list targets[PIECE_MAX];
     /* True if at least one vertex of the piece has an anchor on the body's surface. */
     bool skinned[PIECE_MAX];
-    /* Number of the material of each part, counted from 1. 0 means that the material does not exist
-     * yet. */
+    /* Number of the glTF material of each part, counted from 1. 0 means that the material was not
+     * written yet. */
     uint32_t materials[PART_COUNT];
 };
 

@@ -27,9 +27,10 @@ struct row {
     size_t offset; /* Position of the value in struct morph_survey. */
     /* Type of the value. A finding also has the progress and the vertex of the worst value. */
     enum { IS_FLOAT, IS_COUNT, IS_FINDING } type;
-    size_t moment; /* Position in struct morph_survey of the progress of the worst value or of
-                      the first counted moment. 0 means that the survey does not record this
-                      progress. */
+    /* Offset in struct morph_survey of a progress that is printed with the value: the progress of
+     * the worst value, or of the first moment that was counted. 0 means that the survey records no
+     * progress for this value. */
+    size_t moment;
     const char *format;
     /* Factor by which the measured value is multiplied for printing. 100 prints a share in
      * percent. */
@@ -122,7 +123,8 @@ static void print_faults(enum column column)
         }
         printf("not so (%s): %s", column_names[column], row->title);
         print_number(row, survey);
-        /* The text is for example " at progress 0.431, vertex 312 (eye)". */
+        /* Appends the position of the value to the row, for example " at progress 0.431, vertex 312
+         * (eye)". */
         if (row->moment > 0) {
             printf("%s at progress %.4f", row->type == IS_COUNT ? ", first" : "",
                    (double)*(const float *)field_at(survey, row->moment));

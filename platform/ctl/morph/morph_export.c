@@ -269,7 +269,7 @@ enum exit_code morph_obj_write(const struct morph_options *pick, const char *pat
             fprintf(out.file, "g %s\n", piece_name);
             for (uint32_t i = 0; i < piece->face_count; i++) {
                 const uint16_t *at = work.cut.faces[piece->face_first + i];
-                /* Vertices in OBJ files are counted from 1. */
+                /* The index is increased by 1, because OBJ files count vertices from 1. */
                 const unsigned a = at[0] + 1u, b = at[1] + 1u, c = at[2] + 1u;
                 fprintf(out.file, "f %u/%u/%u %u/%u/%u %u/%u/%u\n", a, a, a, b, b, b, c, c, c);
             }

@@ -51,8 +51,8 @@ struct morph_mesh {
 #define PIECE_NAME_SIZE 32u
 void morph_piece_name(const struct morph_piece *piece, char out[PIECE_NAME_SIZE]);
 
-/* Cuts `mesh` into pieces. `positions` and `normals` describe one shape of the fish, in which the
- * front of each sheet is determined. */
+/* Cuts `mesh` into pieces. `positions` and `normals` describe one shape of the fish. This shape
+ * determines which side of each sheet is the front. */
 void morph_mesh_cut(const struct species_mesh *mesh, const vec3 *positions, const vec3 *normals,
                     struct morph_mesh *out);
 

@@ -12,7 +12,7 @@
 
 /* Maximum error of a weight, of the relative size, and of an anchor's position in body lengths. */
 #define TOLERANCE 1e-5f
-/* Number of equal intervals into which the first samples divide the life. With fewer samples, a
+/* The first samples divide the life into this number of equal intervals. With fewer samples, a
  * short change of a value could be missed. */
 #define EVEN_MARKS 32u
 #define MARK_ROOM (EVEN_MARKS + 1u + MORPH_CURVE_MAX * GRAPH_KNOT_MAX)
@@ -116,7 +116,8 @@ static bool fit_life_track(const struct morph_glb *fish, struct piecewise_fit *t
                            struct piecewise_fit_function function)
 {
     float marks[MARK_ROOM];
-    /* The first samples are evenly spaced. Every knot of the graph is added in rising order. */
+    /* The first samples are at equal distances. A sample at every knot of the deformation graph is
+     * then inserted in rising order. */
     const struct morph_rig *rig = &fish->pick->rig;
     uint32_t count = 0;
     for (uint32_t i = 0; i <= EVEN_MARKS; i++) {
@@ -228,8 +229,8 @@ bool morph_glb_animate(struct morph_glb *fish)
         add_sampler(fish, add_times(fish, &track), GLB_VEC3, track.values, track.count);
     add_channel(fish, size_sampler, GLB_ROOT_NODE, "scale");
     piecewise_fit_free(&track);
-    /* Sampler index + 1 for each bit mask of curves. 0 means that the sampler does not exist
-     * yet. */
+    /* Index + 1 of the sampler for each bit mask of curves. 0 means that the sampler was not
+     * written yet. */
     uint32_t samplers[1u << MORPH_CURVE_MAX] = { 0 };
     for (uint32_t piece = 0; piece < fish->cut.piece_count; piece++) {
         const struct weight_list list = { &fish->pick->rig, &fish->targets[piece] };

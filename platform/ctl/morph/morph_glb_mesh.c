@@ -100,7 +100,7 @@ static void carry(const struct morph_glb *fish, uint32_t vertex, bool is_place, 
 static struct aspect base_appearance(const struct morph_glb *fish, uint32_t vertex)
 {
     const uint32_t last = fish->pick->rig.key_count - 1u;
-    /* The colours follow the curve of the whole fish, which has index 0. */
+    /* The colours depend only on the curve of the whole fish, which has the index 0. */
     const struct aspect painted = solved_aspect(fish, vertex, 0, last);
     struct aspect sum = { .hides = 0.0f };
     for (uint32_t curve = 0; curve < fish->pick->rig.curve_count; curve++) {
@@ -264,7 +264,7 @@ static void print_targets(struct morph_glb *fish, const struct target_list *list
         for (uint32_t i = 0; i < columns.count; i++) {
             struct aspect look =
                 target_appearance(fish, columns.vertices[i], list->curve[t], list->key[t]);
-            /* Only the direction of a blended normal is used. All normals of a vertex are therefore
+            /* Only the direction of a blended normal matters. All normals of a vertex are therefore
              * divided by the length of the base normal. */
             look.normal = v3_scale(look.normal, 1.0f / columns.facing[i]);
             put_look(i, &look);

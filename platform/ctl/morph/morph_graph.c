@@ -36,10 +36,11 @@ static const char name[] = "graph";
 #define WORDS 24u
 #define AGES 652.0 /* Distance of the row of ages from the top of the picture, in pixels. */
 #define YEAR_DAYS 365.25
-/* Ratio of the least length to the lower end of a logarithmic axis. The margin leaves room for the
- * label of a trough. */
+/* The lower end of a logarithmic length axis is the least length divided by this ratio. The margin
+ * leaves room for the label of a trough. */
 #define FOOT 1.4
-/* Ratio of the greatest to the least length above which the length axis is logarithmic. */
+/* The length axis is logarithmic if the greatest length is more than this number times the least
+ * length. */
 #define LOG_FROM 10.0f
 #define AGE_MAX 16u   /* Maximum number of ages with a label. */
 #define AGE_ROOM 78.0 /* Minimum distance between two labelled ages in pixels. */
@@ -48,8 +49,9 @@ static struct graph_plan {
     struct morph_options pick;
     const char *path, *curve_name;
     uint32_t curve;
-    struct morph_rig keys;  /* Rig whose weights select exactly one key at the progress of each
-                               key. */
+    /* Weights of the keys over the life in which exactly one key has the weight 1 at the progress
+     * of that key. */
+    struct morph_rig keys;
     double low_mm, high_mm; /* Range of the length axis at the right of the picture. */
     bool is_log; /* True for a logarithmic length axis. False for a linear axis that starts at 0. */
     struct svg svg;
@@ -173,7 +175,7 @@ static void draw_axes(void)
     svg_line(svg, RIGHT, TOP, RIGHT, BOTTOM, MORPH_SCALE_COLOUR, 1.5, NULL);
     const double most = plan.high_mm * 1.0001;
     if (plan.is_log) {
-        /* A logarithmic scale has the round lengths 1, 2, 5, 10 and so on. */
+        /* On a logarithmic axis, ticks are drawn at the round lengths 1, 2, 5, 10 and so on. */
         double mm = round_below(2.5 * plan.low_mm);
         while (mm <= most) {
             draw_length(mm);
@@ -181,7 +183,8 @@ static void draw_axes(void)
         }
         return;
     }
-    /* The step of a linear scale is a round length. The scale has four to ten steps. */
+    /* On a linear axis, the distance between two ticks is a round length. The axis has four to ten
+     * ticks. */
     const double step = round_below(plan.high_mm / 4.0);
     double mm = 0.0;
     while (mm <= most) {
@@ -225,7 +228,7 @@ static void draw_key(uint32_t key)
     struct morph_outline outline = {
         .species = plan.pick.fish,
         .rig = &plan.keys,
-        /* The largest area of the body is visible in this view. */
+        /* The outline shows the fish in the view in which its body has the largest area. */
         .view = card->form == FORM_DEPRESSED ? MORPH_OUTLINE_TOP : MORPH_OUTLINE_SIDE,
         .progress = (float)key / (float)(card->key_count - 1u),
         .length_px = 1.0,
@@ -274,15 +277,14 @@ static void draw_turns(void)
 {
     const struct species_card *card = &plan.pick.fish->card;
     double last = 1e3 * (double)life_length_m(card, 0.0f), turned = last, at = 0.0;
-    /* Direction of the change: 1 while the length increases, -1 while it decreases, 0 before the
-     * first change. */
+    /* Direction in which the length changes: 1 while it increases, -1 while it decreases, 0 before
+     * the first change. */
     int way = 0;
     for (uint32_t i = 1; i <= TURN_SAMPLES; i++) {
         const double progress = (double)i / (double)TURN_SAMPLES;
         const double mm = 1e3 * (double)life_length_m(card, (float)progress);
-        if (way == 0 || (mm - turned) * way >= 0.0) { /* The length is the greatest so far while the
-                                                         fish grows, or the least so far while the
-                                                         fish shrinks. */
+        /* The length still changes in the direction `way`, so it becomes the new extreme length. */
+        if (way == 0 || (mm - turned) * way >= 0.0) {
             way = way != 0 ? way : mm > last ? 1 : mm < last ? -1 : 0;
             turned = mm;
             at = progress;

@@ -60,8 +60,8 @@ static enum exit_code make_of_meshes(struct morph_import_words *words, struct sp
         !import_life(&mesh, &words->plan, slot, &report, why)) {
         return print_fail(EXIT_BAD_DATA, "%s: %s", words->files[0], why);
     }
-    /* The far mesh is a copy of the near mesh, because a packed species needs both. A small
-     * imported model is used at every distance. */
+    /* A packed species needs a near and a far mesh. The far mesh is a copy of the near mesh,
+     * because an imported model is small enough for every distance. */
     slot->tables[1] = slot->tables[0];
     slot->species.lod[1] = slot->species.lod[0];
     pack_point(slot);

@@ -7,7 +7,8 @@
 #include "platform/ctl/import/import.h"
 #include "platform/ctl/lib/ctl.h"
 
-#define IMPORT_UNSET 255u /* Value of an option in `plan` that the command line does not contain. */
+/* Value of a field in `plan` if the command line does not contain the option of this field. */
+#define IMPORT_UNSET 255u
 #define IMPORT_PATH_SIZE 256u
 
 /* Commands that convert meshes. The values are the groups of the options in the table. */

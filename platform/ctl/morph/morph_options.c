@@ -35,7 +35,7 @@ static const struct option options[] = {
       .groups = MORPH_REQUIRES_CURVES },
     { "progress", "P", "progress of the life", OPTION_DECIMAL, AT(place[PLACE_PROGRESS]), 0, 1,
       .groups = MORPH_REQUIRES_PLACE },
-    /* The maximum is 40 years, as in core/morph/growth.c. */
+    /* The largest age is 40 years (14,610 days), as in core/morph/growth.c. */
     { "age-days", "D", "age in days", OPTION_DECIMAL, AT(place[PLACE_AGE_DAYS]), 0, 14610,
       .groups = MORPH_REQUIRES_PLACE },
     { "length-mm", "L", "length in mm", OPTION_DECIMAL, AT(place[PLACE_LENGTH_MM]), 1e-3, 10000,
@@ -81,8 +81,8 @@ void morph_options_lengths(const struct species_card *card, float *min, float *m
 }
 
 /* Rejects a moment before the first key or after the last key, because the author of the species
- * drew no shape there. For example, the shape for one day is not shown if 22 days were
- * requested. */
+ * drew no shape there. For example, if the first key is at an age of 22 days, the age of one day is
+ * rejected. */
 static enum exit_code check_drawn(const struct species_card *card, enum place place, double asked,
                                   const char *command)
 {

@@ -77,7 +77,7 @@ static bool is_triangle_visible(const struct morph_outline *outline, const vec3 
     const vec3 a = point_in_view_axes(outline->view, positions[corner[0]]);
     const vec3 b = point_in_view_axes(outline->view, positions[corner[1]]);
     const vec3 c = point_in_view_axes(outline->view, positions[corner[2]]);
-    /* Positive if the triangle is on the viewer's side of the fish's middle plane. */
+    /* `toward` is positive if the triangle is on the viewer's side of the fish's middle plane. */
     const float toward = a.z + b.z + c.z;
     const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     const bool is_hidden = outline->view == MORPH_OUTLINE_FRONT ? layer == LAYER_MEDIAN_FINS
@@ -151,8 +151,8 @@ void morph_outline_draw(struct svg *svg, const struct morph_outline *outline)
     static vec3 positions[MESH_VERTEX_MAX];
     static uint16_t joined[MESH_VERTEX_MAX];
     blend(outline, positions);
-    /* Find vertices at the same position, so that the contour is not drawn along the
-     * texture seam of the body. */
+    /* Finds vertices at the same position. They count as one vertex, so that no contour is drawn
+     * along the texture seam of the body. */
     for (uint32_t i = 0; i < outline->species->lod[0].vertex_count; i++) {
         uint32_t first = 0;
         while (v3_length(v3_sub(positions[first], positions[i])) > JOIN_LENGTHS) {

@@ -59,7 +59,8 @@ struct chord {
 struct morph_path_plan {
     struct morph_options pick;
     const char *part, *svg;
-    uint8_t side; /* Index of "right" or "left". */
+    /* Side of the fish on which the part lies: the index of the word "right" or "left". */
+    uint8_t side;
     uint8_t view; /* View of the picture, or MORPH_OUTLINE_COUNT if --view is absent. */
     uint32_t vertex, steps;
     struct chord chord;

@@ -34,7 +34,9 @@ static struct picture {
     const struct morph_path_plan *plan;
     struct svg svg;
     struct morph_rig
-        keys; /* Rig whose weights select exactly one key at the progress of each key. */
+        /* Weights of the keys over the life in which exactly one key has the weight 1 at the
+         * progress of that key. */
+        keys;
     vec3 key[MORPH_KEY_MAX];    /* Position of the part's vertex in the drawn shape of each key. */
     vec3 solved[MORPH_KEY_MAX]; /* Position of the part's vertex in the solved shape of each key.
                                   The solved shape exaggerates the drawn shape so that the path
@@ -48,7 +50,7 @@ static struct picture {
 
 static struct svg *const svg = &picture.svg;
 
-/* Progress of a key. */
+/* Returns the progress at which the fish has the shape of key `key`. */
 static float key_progress(uint32_t key)
 {
     return (float)key / (float)(picture.keys.key_count - 1u);
@@ -132,7 +134,7 @@ static struct window enlarged_window(enum morph_outline_view view)
     struct window window = {
         WIDTH - LENS - 50.0, 90.0, LENS, LENS, { .length_px = LENS / (1.45 * span), .view = view }
     };
-    /* The middle of the path is at the middle of the window. */
+    /* Moves the fish so that the middle of the path is at the middle of the window. */
     at = morph_outline_project(&window.outline, v3_scale(v3_add(least, most), 0.5f));
     window.outline.x = window.x + 0.5 * window.width - at.x;
     window.outline.y = window.y + 0.5 * window.height - at.y;
@@ -343,7 +345,7 @@ enum exit_code morph_path_picture(const struct morph_path_plan *plan, const char
         return morph_written(command, plan->svg, -errno);
     }
     if (view == MORPH_OUTLINE_COUNT) {
-        /* Select the view in which the path is longest. The side view has preference. */
+        /* Selects the view in which the path is longest. The side view has preference. */
         const double front = way_in(MORPH_OUTLINE_FRONT), top = way_in(MORPH_OUTLINE_TOP);
         view = way_in(MORPH_OUTLINE_SIDE) >= 0.9 * fmax(front, top) ? MORPH_OUTLINE_SIDE
                : front >= top                                       ? MORPH_OUTLINE_FRONT

@@ -87,8 +87,8 @@ static struct layout plan_sheet_layout(const struct page *page, uint32_t columns
     struct layout layout = { .columns = columns,
                              .cell_width = (PAGE_WIDTH - 2.0f * MARGIN) / (float)columns,
                              .words_px = words_px };
-    /* Greatest extent of the fish in all views. The height is included, because an imported fish
-     * may be higher than it is long. */
+    /* `most` becomes the greatest extent of the fish in all views. The height is included, because
+     * an imported fish may be higher than it is long. */
     float most = 0.0f;
     for (uint32_t view = 0; view < VIEW_COUNT; view++) {
         const struct fish_preview_bounds *b = &page->bounds[view];
@@ -138,8 +138,8 @@ static void draw_stage(struct page *page, const struct layout *layout, uint32_t 
     float y = top;
     fish_preview_pose(&portrait, page->pick->fish, &page->pick->rig, progress);
     for (uint32_t view = 0; view < VIEW_COUNT; view++) {
-        /* The corner of a raster is a whole pixel, so the remaining fraction of a pixel is applied
-         * inside the raster. */
+        /* A raster starts at a whole pixel, so the remaining fraction of a pixel is applied inside
+         * the raster. */
         struct raster raster;
         if (!raster_open(&raster, (uint32_t)layout->cell_width,
                          (uint32_t)layout->band_height[view])) {

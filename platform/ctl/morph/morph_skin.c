@@ -190,8 +190,8 @@ float morph_skin_distance(const struct morph_skin *skin, vec3 point)
     CORE_ASSERT(skin->triangle_count <= MESH_INDEX_MAX / 3);
     float nearest = FLT_MAX;
     for (uint32_t i = 0; i < skin->triangle_count; i++) {
-        /* The distance to the bounding box of the triangle is a lower bound for the distance to
-         * the triangle. */
+        /* `box` is the vector from the point to the bounding box of the triangle. Its length is a
+         * lower bound for the distance to the triangle. */
         const vec3 *c = skin->corner[i];
         const vec3 box =
             v3(to_span(point.x, c[0].x, c[1].x, c[2].x), to_span(point.y, c[0].y, c[1].y, c[2].y),

@@ -147,11 +147,12 @@ static void measure_ages(struct morph_walk *w, uint32_t steps)
     for (uint32_t i = 0; i <= steps; i++) {
         w->progress = (float)i / (float)steps;
         const float age_days = life_age_days(card, w->progress);
-        /* The fish must be older at each moment than at the previous moment. */
+        /* Counts the moments at which the fish is not older than at the previous moment, which is
+         * an error. */
         if (!(age_days > before_days) && out->moments_not_older++ == 0) {
             out->age_stands_at = w->progress;
         }
-        /* The fish's length is compared with the growth curve at its age, unless the author of the
+        /* Compares the fish's length with the growth curve at its age, unless the author of the
          * species drew the sizes. */
         const float length_m = life_length_m(card, w->progress);
         const float again_m = life_length_m(card, morph_progress(card, length_m));

@@ -51,15 +51,15 @@ struct morph_survey {
     struct finding pupil_in_body; /* Depth to which a point of the pupil lies inside the body. */
     struct finding eye_in_eye;    /* Depth to which a point of one eye lies inside the other eye. */
     struct finding fin_in_eye;
-    /* Distance between the root of a fin ray and the body, for a root outside the body. */
+    /* Greatest distance from the body of a fin ray's root that lies outside the body. */
     struct finding root_off_skin;
     /* Loss of body volume between two keys, as a share of the lesser volume of the two keys. */
     struct finding volume_dip;
     /* The greater of two errors of a key: the distance of the snout from z = -0.5, and the
      * difference between the measured length and 1. */
     struct finding size_error;
-    /* Greatest distance of a part's first vertex from the straight line between its first and last
-     * positions. 0 if the fish does not have the part. */
+    /* Greatest distance of the part's first vertex from the straight line between its first and
+     * last positions during the growth. 0 if the fish does not have the part. */
     float dorsal_root, eye_right, eye_left;
     /* `moments_not_older` is the number of moments at which the fish is not older than at the
      * previous moment. `age_stands_at` is the progress of the first such moment. */
@@ -139,8 +139,8 @@ struct morph_walk { /* State of a survey. The structure has about 10 MiB. */
      * enough. */
     vec3 facing[MESH_INDEX_MAX / 3];
     bool flipped[MESH_INDEX_MAX / 3], doubtful[MESH_INDEX_MAX / 3];
-    /* Progress at the previous moment. While the first moment is measured, `before` is at least as
-     * large as `progress`. */
+    /* Progress at the previous moment. `before` is less than `progress`, except while the first
+     * moment is measured. */
     float before;
     /* For each fin vertex, the vertex at the root of the same fin ray. */
     uint32_t root[MESH_VERTEX_MAX];
@@ -166,6 +166,6 @@ void morph_inside_find_roots(struct morph_walk *w);
  * moment for which a shape is computed. */
 void morph_inside_measure(struct morph_walk *w);
 
-/* morph_flips_measure() is called at every moment for which a shape is computed. Progress must
- * increase from call to call. */
+/* Counts triangles that are flipped. Called at every moment for which a shape is computed. Progress
+ * must increase from call to call. */
 void morph_flips_measure(struct morph_walk *w);

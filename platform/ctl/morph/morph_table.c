@@ -55,7 +55,8 @@ static enum exit_code print_growth(void)
     const double t0_year = log(1.0 - share) / (double)growth->k_per_year;
     double to_days = plan->to_days;
     if (to_days <= 0.0) {
-        /* At this age the fish has about 95 % of its greatest length. */
+        /* Without an end in the options, the table ends at the age at which the fish has about 95 %
+         * of its greatest length. */
         const double years = (double)growth->t0_year + 3.0 / (double)growth->k_per_year;
         to_days = DAYS_PER_YEAR * fmin(fmax(years, 1.0), YEARS_MAX);
     }
@@ -162,8 +163,8 @@ const struct morph_command ctl_morph_weights = {
 
 /* ---- `kingyoctl morph path`: the path of a part ---------------------------------------------- */
 
-/* The path of a part is compared with the straight line of ordinary morphing (2005 thesis, figures
- * 3.2 to 3.5). */
+/* `kingyoctl morph path` compares the path of a part with the straight line of ordinary morphing
+ * (2005 thesis, figures 3.2 to 3.5). */
 
 static const char path_name[] = "path";
 

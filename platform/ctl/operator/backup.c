@@ -42,7 +42,7 @@ static const char in_use[] = "the kiosk runs, or another program reads the datab
 struct swap {
     char own[BOOKS_PATH_SIZE]; /* Path of the kiosk's ledger database. */
     int folder;                /* Descriptor of the folder of the ledger database. */
-    char before[NAME_SIZE];    /* Name to which the replaced database is renamed. */
+    char before[NAME_SIZE];    /* New name of the replaced database. */
     /* Start record of the copy. All fields are 0 if an earlier version of Kingyo wrote the copy. */
     struct ledger_start copied;
 };
@@ -187,7 +187,7 @@ static int put_in_place(const struct swap *swap)
         char from[NAME_SIZE], to[2u * NAME_SIZE];
         snprintf(from, sizeof from, STORAGE_FILE "%s", suffixes[i]);
         snprintf(to, sizeof to, "%s%s", swap->before, suffixes[i]);
-        /* A file that does not exist need not be renamed. */
+        /* Renaming a file that does not exist is no error. */
         if ((is_database && fsync(folder) != 0) ||
             (renameat(folder, from, folder, to) != 0 && errno != ENOENT) ||
             (is_database && fsync(folder) != 0)) {

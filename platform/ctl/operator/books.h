@@ -23,7 +23,8 @@ struct books_words {
     bool as_json;
 };
 
-/* The table of the options in struct books_words, which is the target of the table. */
+/* Table of the options that all commands for the ledger database share. The parsed values are
+ * stored in struct books_words. */
 extern const struct option_table books_options;
 
 /* Writes the path of the kiosk's ledger database to `out`. The file may not exist. */
@@ -39,9 +40,9 @@ bool books_is_same(const char *one, const char *other);
  * another program, otherwise an SQLite error code. */
 int books_check_copy(const char *path, struct ledger_start *out);
 
-/* Finds a foreign object in the database, for example a table of another program, because of which
- * ledger_check() reports the database as damaged. Prints one line with the name of the object and
- * then `advice`. Returns true if a foreign object was found. */
+/* Used if ledger_check() reports a damaged database: searches for a foreign object in the database,
+ * for example a table of another program. If there is one, prints one line with the name of the
+ * object and then `advice`, and returns true. Otherwise returns false. */
 bool books_tell_foreign(const char *command, const char *path, const char *advice);
 
 /* Opens the ledger database for reading. A kiosk that is running may have the database open at the

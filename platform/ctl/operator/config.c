@@ -16,15 +16,15 @@ static uint32_t warning_count;
 
 static void config_warn(const char *line)
 {
-    print_error("%s", line); /* The line has the form FILE:LINE: MESSAGE, which editors
-                                recognize. */
+    print_error("%s", line); /* `line` has the form FILE:LINE: MESSAGE, which editors recognize. */
     warning_count++;
 }
 
 static enum exit_code config_check_file(const char *path)
 {
-    static struct options options; /* Static because the paths and the GPIO lines in the structure
-                                      are too large for the stack. */
+    /* The variable is static, because the paths and the GPIO lines in the structure are too large
+     * for the stack. */
+    static struct options options;
     options = (struct options){ 0 };
     warning_count = 0;
     const int failed = config_file_read(&options, path, config_warn);

@@ -29,7 +29,7 @@ struct scores_request {
     uint8_t mode, level, period;
     bool is_all;       /* True if all ranked rounds are verified. */
     bool with_pin;     /* True if the output file may contain the PIN of the operator's menu. */
-    uint32_t round_id; /* Number of the selected round, or 0 if no round is selected. */
+    uint32_t round_id; /* Id of the selected round, or 0 if no round is selected. */
     const char *out;   /* Path of the output file for the replay, or null. */
 };
 
@@ -102,8 +102,8 @@ static void finding_json(const struct finding *found, struct json *json)
                found->play_s, found->size, found->took_s);
 }
 
-/* Writes the number of each ranked round to `out` once, because a round may be in several rankings.
- * Returns the number of rounds. */
+/* Writes the id of each ranked round to `out`. A round that is in several rankings is written only
+ * once. Returns the number of rounds. */
 static uint32_t list_rounds(const struct ranking *ranking, uint32_t out[ROUNDS_MAX])
 {
     uint32_t count = 0;
@@ -166,8 +166,9 @@ static enum exit_code write_replay(const struct scores_request *request, struct 
         return print_fail(EXIT_NOT_SO, "kingyoctl scores: round %u has no replay",
                           request->round_id);
     }
-    /* A running kiosk clears or deletes each replay that may contain a PIN, in idle time, except
-     * replays of a newer version (platform/kiosk/recorder/pin_sweep.h). */
+    /* A replay that may contain a PIN is not written without --with-pin. A running kiosk removes
+     * the PIN from such replays or deletes them when it has no other work
+     * (platform/kiosk/recorder/pin_sweep.h). Replays of a newer version stay unchanged. */
     replay_open_in(&reader, bytes, size);
     if (!request->with_pin && session_recorder_may_contain_pin(&reader)) {
         return print_fail(

@@ -103,7 +103,7 @@ static enum exit_code status_print_report(const struct request *request, sqlite3
             }
             sqlite3_finalize(lines);
         }
-        /* If the output is incomplete, main() reports the write error. */
+        /* If standard output is incomplete, main() reports the write error. */
         code = print_flush(stdout) == 0 ? status_exit_code(head) : EXIT_NOT_SO;
     }
     sqlite3_finalize(head);

@@ -16,7 +16,7 @@
 
 /* Options in the units of the command line. */
 struct words {
-    struct paper_options plan; /* Options that need no conversion. */
+    struct paper_options plan; /* Options that are used without conversion. */
     uint32_t grade;
     double wetness, wet_fraction, tilt_deg, speed_m_s, fish_cm, footprint_mm;
 };

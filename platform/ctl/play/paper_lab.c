@@ -10,7 +10,7 @@
 
 #define DEPTH_M 0.20f /* Depth at which the water surface has no effect on the poi. */
 #define HEIGHT_M 0.10f
-/* Number of ticks within which a tear counts as immediate. 6 ticks are 0.05 s. */
+/* A tear within this number of ticks counts as immediate. 6 ticks are 0.05 s. */
 #define INSTANT_TICKS 6u
 #define NEVER_S 1e6f
 
@@ -129,14 +129,15 @@ void paper_lab_tick(struct paper_lab *lab)
     poi->before_m_s = carriage_m_s;
     poi->before_angles = poi->angles;
     if (lab->tick == 0) {
-        catch_fish(lab); /* The fish lie on the paper before the first tick. */
+        catch_fish(lab); /* Puts the fish on the paper before the first tick. */
     }
     lab->tick++;
     /* Computes the forces of the water on the poi's ring. */
     poi_spring_tick(poi, poi->position_m, &axes, poi->immersed);
     /* Restores the constant speed, because the carriage does not yield to forces. */
     poi->velocity_m_s = carriage_m_s;
-    /* Fraction of the paper without holes at the time when the force was computed. */
+    /* `whole` is the fraction of the paper without holes at the time when the force was
+     * computed. */
     const float whole = poi_whole(poi);
     const struct obstacle ring = poi_obstacle(poi);
     poi_apply_reaction(poi, &ring);

@@ -48,7 +48,7 @@ static const char *fixed(char out[NUMBER_FIXED_MAX + 1u], double value, uint32_t
     return out;
 }
 
-/* Returns the number of decimals, 0 or 1, with which a median or quantile is printed. */
+/* Returns the number of decimals, 0 or 1, with which the median or quantile `value` is printed. */
 static uint32_t decimals_of(double value)
 {
     return value > (double)(uint64_t)value ? 1u : 0u;

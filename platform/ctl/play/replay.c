@@ -110,7 +110,7 @@ static enum core_error recompute(struct replayer *replayer, struct core *core, u
     return CORE_OK;
 }
 
-/* State of the running verification, which the panic handler reads. */
+/* State of the verification that is in progress. The panic handler reads this state. */
 static struct {
     const char *path;
     const struct core *core;

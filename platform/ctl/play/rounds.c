@@ -15,8 +15,8 @@
 #include "platform/kiosk/recorder/replayer.h"
 #include "platform/os/thread.h"
 
-/* Maximum number of ticks of a round. The longest round, its countdown and a margin are
- * included. */
+/* Maximum number of ticks of a round. The number is enough for the longest round and its countdown,
+ * with a margin. */
 #define ROUND_TICKS_MAX (700u * CORE_TICK_HZ)
 
 /* State of one worker thread. The structure is too large for a stack. */
@@ -59,7 +59,7 @@ static enum exit_code play_through(struct worker *worker, struct round_result *r
     for (uint32_t i = 0; i < ROUND_TICKS_MAX; i++) {
         const uint8_t before = worker->output.phase;
         worker->output.sound_count = 0;
-        /* Write the controller input of one tick. START is pressed once per second while no round
+        /* Writes the controller input of one tick. START is pressed once per second while no round
          * is played. The controller is always connected and has a wrist sensor. `trembles` is 1
          * only if the bot's hand trembles, because otherwise the core would treat a motionless hand
          * as a stuck sensor. */
@@ -137,7 +137,7 @@ static struct round_result play_one(struct worker *worker, const struct round_pl
 struct hall {
     const struct rounds *rounds;
     pthread_mutex_t lock;
-    uint32_t next; /* Index of the next plan that no worker has started. */
+    uint32_t next; /* Index of the next plan (round to play) that no worker has started yet. */
     /* Exit code of the first round that failed. After a failure, no worker starts another plan. */
     enum exit_code code;
 };

@@ -80,8 +80,8 @@ uint32_t rounds_workers(void);
 enum exit_code rounds_play(const struct rounds *rounds);
 
 struct summary {
-    /* `median` is the 50 % quantile and `p90` the 90 % quantile. A quantile between two values is
-     * interpolated linearly. */
+    /* `median` is the value that half of the values do not exceed (50 % quantile), and `p90` is the
+     * 90 % quantile. A quantile between two values is interpolated linearly. */
     double median, p90;
     uint32_t max;
 };

@@ -9,8 +9,8 @@
 
 #include "core/base/panic.h"
 
-/* Sine of the angle below which two edges count as parallel. Parallel edges have no separating
- * axis. */
+/* Two edges count as parallel if the sine of the angle between them is below this value. The cross
+ * product of parallel edges gives no separating axis. */
 #define PARALLEL 1e-6
 
 static double double3_dot(const double a[3], const double b[3])
@@ -189,8 +189,8 @@ static bool spaces_overlap(const struct tank *tank, const struct tank_meeting *p
     return box_depth_m(&spaces[0], &spaces[1]) > 0.0f;
 }
 
-/* Appends a pair to the list of open pairs, and links the pair to the older pairs with the same
- * `low`. */
+/* Appends a pair to the list of open pairs, and links the pair to the older open pairs whose member
+ * `low` is the same fish. */
 static void open_pair(struct tank_meetings *meetings, const struct tank_meeting *pair)
 {
     CORE_ASSERT(meetings->open_count < TANK_MEETINGS_OPEN_MAX && pair->low < TANK_FISH_MAX);
@@ -225,7 +225,8 @@ static void tank_meetings_begin(struct tank_meetings *meetings, const struct fis
                                        0 };
     for (uint32_t at = meetings->newest[pair.low]; at > 0; at = meetings->open[at - 1].older) {
         if (meetings->open[at - 1].high == pair.high) {
-            return; /* The encounter of these two fish is already in the list of open pairs. */
+            /* The pair is already in the list of open pairs, so its encounter has been counted. */
+            return;
         }
     }
     if (meetings->open_count < TANK_MEETINGS_OPEN_MAX) {

@@ -15,8 +15,8 @@
 
 #include "core/tank/tank.h"
 
-/* Penetration depth in mm above which two bodies count as overlapping. A smaller depth counts as a
- * contact. */
+/* Two bodies count as overlapping if their penetration depth in mm is above this value. A smaller
+ * depth counts as a contact. */
 #define OVERLAP_DEEP_MM 0.5
 /* Maximum number of grid cells along each side of the tank. In the largest tank, a cell is about as
  * wide as two bounding spheres. */
@@ -66,10 +66,10 @@ void overlap_add(struct overlap *overlap, const struct tank *tank, struct overla
 /* Two fish that have an encounter. The pair stays open until the fish have separated. */
 struct tank_meeting {
     fish_index low, high;
-    /* Number of ticks for which the personal spaces of the two fish have not overlapped. */
+    /* Number of ticks since the personal spaces of the two fish last overlapped. */
     uint32_t apart_ticks;
-    /* Index + 1 of the next older open pair with the same `low`. 0 means that there is no older
-     * pair. */
+    /* Index + 1, in the list `open`, of the next older pair with the same `low`. 0 means that there
+     * is no older pair. */
     uint32_t older;
 };
 

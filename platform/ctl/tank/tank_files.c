@@ -91,7 +91,8 @@ struct poi_target tank_path_at(struct tank_path *path, double t_s)
 
 /* ---- Start positions of fish ----------------------------------------------------------------- */
 
-/* Tolerance at the walls in metres, because the numbers in a trace are rounded. */
+/* Tolerance in metres for bodies that touch a wall. It is needed because the numbers in a trace are
+ * rounded. */
 #define TOUCH_M 0.0001
 
 enum {

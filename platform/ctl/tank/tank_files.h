@@ -37,7 +37,7 @@ struct tank_place {
     uint32_t count;
     struct tank_stage stage[TANK_FISH_MAX];
     uint32_t line[TANK_FISH_MAX]; /* Line number of each fish in the file, for error messages. */
-    /* Number of the tick whose rows are used, if the file has a tick column. */
+    /* If the file has a tick column, the number of the tick whose rows are used. */
     double tick;
     /* Number of rows that were skipped because they belong to another tick. */
     uint32_t rows_left_out;

@@ -12,7 +12,8 @@
 #include "platform/os/number.h"
 
 #define LIST_MAX 256
-/* Converts metres to whole centimetres by rounding, because the float 0.30f is not exactly 0.3. */
+/* Converts metres to whole centimetres. Rounding is needed because the float 0.30f is not exactly
+ * 0.3. */
 #define CM(metres) ((double)(int)(100.0f * (metres) + 0.5f))
 
 static const char name[] = "tank";

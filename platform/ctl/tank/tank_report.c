@@ -13,8 +13,8 @@
 #define DEG (180.0 / 3.14159265358979323846)
 #define ROW_MAX 512u
 #define BAR_WIDTH 40
-/* Maximum number of characters in a chart. A chart of a longer simulation shows one second out of
- * every two or more. */
+/* Maximum number of characters in a chart. A chart of a longer simulation omits seconds at regular
+ * intervals. */
 #define SPARKS_MAX 60u
 
 static const char *const gait_names[GAIT_COUNT] = {
