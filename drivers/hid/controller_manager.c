@@ -160,8 +160,8 @@ static void next_step(struct controller_manager *manager)
     }
 }
 
-/* Ends learning only after the mapping file is on the memory card. The operator may then switch off
- * the kiosk without losing the mapping. */
+/* Ends learning only after the mapping file is on the memory card, so that the operator may then
+ * switch off the kiosk without losing the mapping. */
 static void watch_writing(struct controller_manager *manager)
 {
     CORE_ASSERT(manager->writes);

@@ -290,8 +290,8 @@ static enum usb_device_fault inspect_usb_device(libusb_device_handle *handle,
     }
     device->pipe.has_report_ids = scratch->has_report_ids;
     device->pipe.report_size_max = most + scratch->has_report_ids;
-    /* A device may reject requests of HID 1.11 section 7.2 that it does not support, so only a
-     * disconnected device is an error. */
+    /* A device may reject requests of HID 1.11 section 7.2 that it does not support. Therefore only
+     * the disconnection of the device is an error. */
     const bool is_gone =
         (device->is_boot &&
          interface_request(handle, device, HID_SET_PROTOCOL, 1u) == LIBUSB_ERROR_NO_DEVICE) ||

@@ -108,6 +108,6 @@ void usb_transfers_detach(struct usb_transfers *link);
  * caller must call usb_transfers_drain(). */
 bool usb_transfers_service(struct usb_transfers *link);
 
-/* Returns the time at which usb_transfers_service() must be called next, or UINT64_MAX if only an
- * event requires a call. */
+/* Returns the time at which usb_transfers_service() must be called next. Returns UINT64_MAX if no
+ * call is needed before the next event of libusb. */
 uint64_t usb_transfers_due_ns(const struct usb_transfers *link);

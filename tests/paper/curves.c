@@ -1,14 +1,17 @@
 /* curves.c -- writes tables for plots.gp of measurements of the paper, as `kingyoctl paper` makes
  * them.
  *
- * `curves tear > tear.tsv` writes the time to tear over the speed. The columns are grade, wet
- * fraction, speed, and the median, least and greatest time of SPECIMENS specimens. A time above
- * LAST_S means that the paper did not tear.
+ * `curves tear > tear.tsv` writes a table of the time after which the paper tears, for each speed.
+ * The columns are grade, wet fraction, speed, and the median, least and greatest time of SPECIMENS
+ * specimens. A time above LAST_S means that the paper did not tear.
  *
- * `curves force > force.tsv` writes the force in N over the tilt in degrees, at 0.3 m/s.
+ * `curves force > force.tsv` writes a table of the force in N at 0.3 m/s, for each tilt of the
+ * paper in degrees.
  *
- * `curves holes FOLDER` writes files FOLDER/hole-SPECIMEN-MOMENT.txt with a matrix of cells each.
- * The value of a cell is its stress (0 .. 255), -1 for a hole, or -9 for a cell beyond the ring. */
+ * `curves holes FOLDER` writes one file FOLDER/hole-SPECIMEN-MOMENT.txt for each specimen and each
+ * of MOMENTS moments after the first tear. MOMENT is the index of the moment. Each file is a matrix
+ * with one value for each cell of the paper. The value is the stress of the cell (0 .. 255), -1 for
+ * a hole, or -9 for a cell beyond the ring. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

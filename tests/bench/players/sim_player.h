@@ -27,7 +27,8 @@
 enum player_sign {
     SIGN_ARROW = HINT_COUNT, /* The arrow to the bowl. */
     SIGN_RING,               /* The ring around a fish that is easy to catch. */
-    SIGN_GHOST,              /* The ghost that shows the technique. */
+    /* The ghost: a translucent poi on the screen that shows how to scoop a fish. */
+    SIGN_GHOST,
 };
 
 enum player_device {

@@ -141,7 +141,9 @@ static void test_a_sound_card_that_requests_no_data_never_blocks_a_frame(void **
     const struct hal_audio device = audio_device(&audio);
     assert_int_equal(device.ops->open(device.self), HAL_OK);
     SDL_PauseAudioDevice(audio.device, 1);
-    SDL_Delay(50); /* After 50 ms, SDL has finished its last request for samples. */
+    /* The device is paused, but SDL may still be running one callback that takes sounds from the
+     * queue. The callback has ended after 50 ms. */
+    SDL_Delay(50);
     const struct sound_event event = { .sound = SOUND_DIP, .gain = 1.0f };
     for (uint32_t i = 0; i < AUDIO_QUEUE_MAX; i++) {
         assert_int_equal(device.ops->play(device.self, &event), HAL_OK);

@@ -1,5 +1,6 @@
-/* test_straight.c -- checks the conversion of a species to the method of the 2005 thesis: straight
- * paths of all vertices and three keys. */
+/* test_straight.c -- checks the conversion of a species to the simpler morphing method of the 2005
+ * thesis, which has only three key shapes. Each vertex moves in straight lines between the key
+ * shapes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -99,8 +99,8 @@ static void test_a_pulse_that_ended_before_its_edges_were_reported_is_a_pulse(vo
     /* The edge at 100 ms is reported when the pulse has already ended, so it is reported with a low
      * level. */
     assert_false(edge(&input, 100, false, 0));
-    /* The kernel did not record the time of the falling edge. Instead, the edge gets the time at
-     * which the first edge was read, 118 ms. */
+    /* The kernel did not record the time of the falling edge. The edge therefore gets the time at
+     * which the rising edge was read, 118 ms. */
     assert_true(edge(&input, 118, false, 0));
     taken_ns = 0;
     assert_change(100, true);

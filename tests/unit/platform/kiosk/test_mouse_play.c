@@ -311,10 +311,12 @@ static void test_repeated_dips_without_a_pause_tear_the_paper(void **state)
 static void test_dips_with_a_fast_pointer_tear_the_paper(void **state)
 {
     (void)state;
-    assert_true(paper_after_dips(20.0f, 24) < 0.9f); /* 20 pixels per moment are about 1 m/s. */
+    /* The pointer moves 20 pixels per moment (MOMENT_NS), which is about 1 m/s. */
+    assert_true(paper_after_dips(20.0f, 24) < 0.9f);
 }
 
-/* Moves the ring under water between x = 400 and x = 800 pixels, `step_px` per moment. */
+/* Moves the ring under water between x = 400 and x = 800 pixels, by `step_px` in each moment
+ * (MOMENT_NS). */
 static void sweep(float step_px, uint32_t sweeps)
 {
     player.x_px = 400.0f;
@@ -335,8 +337,9 @@ static void test_fast_sweeps_through_the_water_tear_the_paper(void **state)
     (void)state;
     for (uint32_t seed = 1; seed <= 5; seed++) {
         begin_round(seed, 1);
-        sweep(25.0f, 12); /* 25 pixels per moment are about 1.2 m/s. 12 sweeps take about three
-                             seconds. */
+        /* The pointer moves 25 pixels per moment (MOMENT_NS), which is about 1.2 m/s. 12 sweeps
+         * take about three seconds. */
+        sweep(25.0f, 12);
         assert_true(paper_left() < 0.9f);
     }
 }
@@ -346,7 +349,8 @@ static void test_slow_sweeps_through_the_water_do_not_tear_the_paper(void **stat
     (void)state;
     for (uint32_t seed = 1; seed <= 5; seed++) {
         begin_round(seed, 1);
-        sweep(4.0f, 2); /* 4 pixels per moment are about 0.2 m/s. */
+        /* The pointer moves 4 pixels per moment (MOMENT_NS), which is about 0.2 m/s. */
+        sweep(4.0f, 2);
         assert_true(paper_left() > 0.99f);
     }
 }

@@ -237,8 +237,8 @@ static void test_a_ranked_round_has_a_seal_while_its_replay_is_stored(void **sta
     assert_false(has_replay(fixture, 1));
 }
 
-/* Opens and closes the store of a database with the mode `before`. Asserts that the mode is `after`
- * then, and that the log has `lines` lines. */
+/* Sets the permissions of the database file to `before`, and then opens and closes the store.
+ * Asserts that the permissions of the file are `after` then, and that the log has `lines` lines. */
 static void assert_mode(struct fixture *fixture, mode_t before, mode_t after, int lines)
 {
     char path[160], log[1024], expected[80];
