@@ -40,9 +40,9 @@ const char *gpio_role_name(enum gpio_role role);
  * none. '_' matches '-', and upper case matches lower case. */
 enum gpio_role gpio_role_find(const char *name, size_t length);
 
-/* Parses `text` and replaces the wire of its role. Times that the text omits get their defaults.
- * Returns true. On an error, returns false, leaves `wires` unchanged, and writes the invalid word
- * to `why`. */
+/* Parses `text` and stores the wire of the role that the text names in `wires`. Times that the text
+ * omits get their defaults. Returns true. On an error, returns false, leaves `wires` unchanged, and
+ * writes the invalid word to `why`. */
 bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
                     char why[HAL_TEXT_SIZE]);
 

@@ -12,7 +12,8 @@
 #include "core/base/panic.h"
 #include "drivers/gpio/gpio_backend.h"
 
-#define QUEUE_SIZE 16u /* Size of the LINEEVENT queue in the kernel's gpiolib-cdev.c. */
+/* Number of edges that the kernel's queue of a line can hold (LINEEVENT in gpiolib-cdev.c). */
+#define QUEUE_SIZE 16u
 
 static struct held {
     /* Handle of the chip, or null if the line is not held. Each line opens its chip separately. */

@@ -75,8 +75,8 @@ enum hid_error hid_globals_take(struct hid_global_stack *stack, const struct hid
         *limits[item->tag - GLOBAL_LOGICAL_MIN] = (struct hid_limit){ item->data, item->size };
         break;
     case GLOBAL_UNIT_EXPONENT:
-        /* The HID specification defines a value of four bits, in which 8 to 15 mean -8 to -1. Some
-         * devices write the exponent as a signed byte instead. */
+        /* The HID specification defines the exponent as a number of four bits, in which 8 to 15
+         * mean -8 to -1. Some devices write the exponent as a signed byte instead. */
         now->unit_exponent = item->data <= 15u ? (int32_t)item->data - (item->data > 7u ? 16 : 0)
                                                : hid_item_signed(item->data, item->size);
         break;

@@ -198,7 +198,7 @@ static bool is_switch_stick(const struct surface *surface)
 struct rule {
     hid_usage usage;
     uint8_t role, manner;
-    bool turned; /* True if the direction is reversed. */
+    bool turned; /* True if the direction of the axis is reversed. */
     bool here;   /* True if the field must be in the report of the surface. */
 };
 

@@ -1,5 +1,5 @@
-/* hid_mapping_store.c -- the mapping store in memory, its small files, which are replaced
- * atomically, and the thread that writes them. */
+/* hid_mapping_store.c -- implements the mapping store: the list of mappings in memory, the small
+ * files, which are replaced atomically, and the thread that writes the files. */
 #include "drivers/hid/hid_mapping_store.h"
 
 #include <dirent.h>

@@ -36,7 +36,8 @@ static float interpolate_angle(float from_rad, float to_rad, float share)
                : to_rad;
 }
 
-/* Returns the pose of the poi. */
+/* Returns the pose of the poi. The poi stands still at `own->waits` while the fan is used, and
+ * returns to the controller's pose afterwards. */
 static struct poi_target pose_of(const struct own_pose *own)
 {
     CORE_ASSERT(own->back >= 0.0f && own->back <= 1.0f);

@@ -42,8 +42,8 @@ bool touch_fingers_take(struct touch_fingers *fingers, const struct touch_event 
         }
         fingers->start_pressed |= changed && fingers->count == TOUCH_START_FINGERS;
     } else if (event->kind != TOUCH_UP || is_known) {
-        /* A known finger may touch the screen again if the event that lifted the finger was
-         * lost. */
+        /* A finger that is already tracked may touch the screen again, because the event that
+         * lifted the finger was lost. */
         changed = is_leader && lead(fingers, event);
     }
     if (event->kind == TOUCH_UP && is_known) {

@@ -92,7 +92,8 @@ __attribute__((format(printf, 2, 3))) static bool graph_text_error(struct readin
 
 static bool end_reading(struct reading *reading, const char *what)
 {
-    reading->line += reading->line == 0; /* For an empty file the error message names line 1. */
+    /* For an empty file `line` is still 0, so the error message names line 1. */
+    reading->line += reading->line == 0;
     graph_text_error(reading, "%s", what);
     reading->is_unreadable = true;
     return 0;

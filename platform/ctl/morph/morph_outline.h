@@ -24,7 +24,7 @@ struct morph_outline {
     const struct morph_rig *rig;
     float progress;
     enum morph_outline_view view;
-    /* Position in the picture of the origin of the fish's body frame, in pixels. */
+    /* Position, in pixels, at which the origin of the fish's body frame lies in the picture. */
     double x, y;
     double length_px; /* Length of the fish's body in the picture, in pixels. */
     const char *colour;
