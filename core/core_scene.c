@@ -232,6 +232,7 @@ static void show_game(const struct core *core, struct scene *scene)
     CORE_ASSERT(game->language < LANGUAGE_COUNT);
     scene->phase = game->phase;
     scene->language = game->language;
+    scene->text_size = (uint8_t)core->config.persistent.settings.value[SET_TEXT];
     scene->hint = lesson_screen_hint(game);
     scene->phase_s = (float)(core->game.tick - game->phase_tick) * CORE_TICK_S;
     scene->veil = session_fade(&core->game, &core->config);

@@ -15,8 +15,8 @@
  * picture. */
 #define DISPLAY_INSET_MAX 0.25f
 
-/* Display options. If all fields are 0, the picture covers the whole screen, unrotated, with
- * brightness 0 (dark). */
+/* Options of the display and of the pointers on it. If all fields are 0, the picture covers the
+ * whole screen, unrotated, with brightness 0 (dark). */
 struct display_settings {
     /* Clockwise rotation of the picture on the screen, in quarter turns, 0 .. 3. */
     uint32_t rotation;
@@ -27,6 +27,9 @@ struct display_settings {
      * regularly to prevent burn-in of the screen. */
     float shift_x, shift_y;
     float light; /* Brightness [0, 1]; at 0 the display may skip drawing. */
+    /* How a mouse or a touch screen acts on the picture (drivers/pointer/pointer_aid.h): 1 if one
+     * click dips and the next click lifts, and the reach in per cent; 0 means 100. */
+    uint32_t dips_by_click, reach_percent;
 };
 
 /* Transform for one screen size. */

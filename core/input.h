@@ -34,8 +34,13 @@ enum input_button {
     INPUT_SERVICE = 1u << 6,
     INPUT_TILT = 1u << 7, /* The cabinet was shaken or tilted. */
     INPUT_DOOR = 1u << 8, /* The cabinet door is open. */
-    INPUT_BUTTON_ALL = (1u << 9) - 1u,
+    /* Directions up and down of a keyboard or a direction pad, which also report INPUT_OK. Only the
+     * operator's menu reads them. They move the highlight to the previous or the next item. */
+    INPUT_UP = 1u << 9,
+    INPUT_DOWN = 1u << 10,
+    INPUT_BUTTON_ALL = (1u << 11) - 1u,
 };
+/* Number of the first buttons of enum input_button. A cabinet can have a line for each of them. */
 #define INPUT_BUTTON_COUNT 9u
 
 /* Number of coin lines: coin acceptors report small, middle and large coins on one line each. */

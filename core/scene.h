@@ -302,6 +302,8 @@ struct scene {
 
     uint8_t phase;    /* enum scene_phase */
     uint8_t language; /* enum language */
+    /* Size of small texts on the pages for players: 0 normal, 1 large, 2 largest. */
+    uint8_t text_size;
     /* Hint for the whole screen (enum scene_hint). The hints beside the pois are in `lesson`. */
     uint8_t hint;
     float phase_s; /* Seconds since the phase began. */

@@ -39,8 +39,8 @@ struct scene_menu {
      * empty. */
     uint8_t file_first;
     uint8_t upright, has_hand, presses;
-    uint8_t hides_level; /* 1 if the menu has no row for the setting SET_LEVEL, otherwise 0. */
-    float x, y;          /* Pointer position on the canvas (core/game/pointer_mapping.h). */
+    uint8_t rules; /* Format whose rules the menu follows, as in struct core_config. */
+    float x, y;    /* Pointer position on the canvas (core/game/pointer_mapping.h). */
     struct controller_status controllers;
     /* Bit mask of the buttons that are held down (enum input_button). */
     uint32_t held;

@@ -53,7 +53,12 @@ static const struct setting table[SETTING_COUNT] = {
     [SET_CALIBRATION_CHECK] = CALIBRATION(1, "check"), CALIBRATION(2, "check"),
     CALIBRATION(3, "check"), CALIBRATION(4, "check"),
     [SET_LEVEL] = { "level", GROUP_GAME, KIND_CHOICE, 0, LEVEL_CHOICE_COUNT - 1, 1,
-                    LEVEL_CHOICE_NORMAL },
+                    LEVEL_CHOICE_NORMAL, .since = 9 },
+    [SET_DIP] = { "dip", GROUP_GAME, KIND_CHOICE, 0, 1, 1, 0, .since = 10 },
+    [SET_REACH] = { "reach", GROUP_GAME, KIND_NUMBER, 0, 100, 1, 0, .since = 10 },
+    [SET_SIDE] = { "side", GROUP_GAME, KIND_CHOICE, 0, BOWL_SIDE_COUNT - 1, 1,
+                   BOWL_BY_FIRST_DIP, .since = 10 },
+    [SET_TEXT] = { "text", GROUP_PICTURE, KIND_CHOICE, 0, 2, 1, 0, .since = 10 },
 };
 /* clang-format on */
 
@@ -70,10 +75,12 @@ bool settings_allows(uint32_t id, int32_t value)
     if (id == SET_PIN && value < 0) {
         return true;
     }
-    /* No paper grades exist between 0 (the mode's default) and SHEET_GRADE_MIN. */
-    const bool is_grade = value == 0 || value >= (int32_t)SHEET_GRADE_MIN;
+    /* These settings have no values between 0 (the default) and their smallest value. */
+    const int32_t least = id == SET_GRADE   ? (int32_t)SHEET_GRADE_MIN
+                          : id == SET_REACH ? SETTING_REACH_MIN
+                                            : setting->min;
     return value >= setting->min && value <= setting->max &&
-           (value - setting->min) % setting->step == 0 && (id != SET_GRADE || is_grade);
+           (value - setting->min) % setting->step == 0 && (value == 0 || value >= least);
 }
 
 void settings_reset(struct settings *settings)
@@ -104,7 +111,8 @@ void settings_sanitize(struct settings *settings)
 
 #define STRUCT settings
 const struct field_table settings_fields =
-    FIELD_TABLE(settings, FIELD_RANGE(value[0], SET_LEVEL), FIELD_SINCE(9, value[SET_LEVEL], 1));
+    FIELD_TABLE(settings, FIELD_RANGE(value[0], SET_LEVEL), FIELD_SINCE(9, value[SET_LEVEL], 1),
+                FIELD_RANGE_SINCE(10, value[SET_DIP], SETTING_COUNT - SET_DIP, 2));
 #undef STRUCT
 
 uint64_t settings_hash(uint64_t hash, const struct settings *settings, bool hashes_pin)

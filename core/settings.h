@@ -65,6 +65,14 @@ enum setting_id {
     /* Level that players have until they choose another level (enum level_choice). The setting
      * belongs to the game settings. Recordings have the setting since format 9. */
     SET_LEVEL = SET_CALIBRATION_CHECK + (int)POI_MAX,
+    /* Settings that adapt the kiosk to the bodies of the players. SET_TEXT belongs to the picture
+     * settings, the others belong to the game settings. Recordings have them since format 10. */
+    SET_DIP, /* 1 if one click dips the poi and the next click lifts it, otherwise 0. */
+    /* Lower part of the picture that stands for the whole picture, in per cent of its height; 0
+     * means the whole picture. */
+    SET_REACH,
+    SET_SIDE, /* Side of the bowl of a player who plays alone (enum bowl_side). */
+    SET_TEXT, /* Size of small texts on the pages for players: 0 normal, 1 large, 2 largest. */
     SETTING_COUNT,
 };
 
@@ -76,6 +84,17 @@ enum level_choice {
     LEVEL_CHOICE_MASTER,
     LEVEL_CHOICE_COUNT,
 };
+
+/* Values of SET_SIDE. */
+enum bowl_side {
+    BOWL_BY_FIRST_DIP = 0, /* The dip that ends attract mode chooses the side. */
+    BOWL_RIGHT,
+    BOWL_LEFT,
+    BOWL_SIDE_COUNT,
+};
+
+/* Smallest value of SET_REACH except 0. */
+#define SETTING_REACH_MIN 40
 
 enum play_kind {
     PLAY_FREE = 0,
@@ -108,6 +127,9 @@ struct setting {
     uint8_t group; /* Group of the setting in the menu (enum setting_group). */
     uint8_t kind;  /* How the menu displays the setting (enum setting_kind). */
     int32_t min, max, step, standard;
+    /* First format of recordings that contains the setting; 0 means every format. A setting with a
+     * format has the default 0, so that hashes without the setting stay the same. */
+    uint8_t since;
 };
 
 struct field_table;

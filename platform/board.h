@@ -41,12 +41,6 @@ struct library;
 
 struct board_options {
     uint8_t poi; /* Type of the controller with which the player plays (enum board_poi). */
-    /* Aids for players with a mouse or touch screen (drivers/pointer/pointer_aid.h).
-     * `dips_by_click` is true if one click dips the poi (the paper scoop) and the next click lifts
-     * it. `reach_percent` is the lower part of the picture that stands for the whole picture, in
-     * per cent of its height; 0 means 100. */
-    bool dips_by_click;
-    uint32_t reach_percent;
     /* Number of USB controllers that may play without being selected in the menu. */
     uint32_t usb_count;
     const char (*usb)[BOARD_USB_SIZE];

@@ -30,6 +30,9 @@ static struct words words_of(uint32_t id)
         [SET_PLAY] = { 3, { "free", "paid", "event" } },
         [SET_LANGUAGE] = { 2, { "ja", "en" } },
         [SET_LEVEL] = { LEVEL_CHOICE_COUNT, { "normal", "easy", "master" } },
+        [SET_DIP] = { 2, { "hold", "click" } },
+        [SET_SIDE] = { BOWL_SIDE_COUNT, { "dip", "right", "left" } },
+        [SET_TEXT] = { 3, { "normal", "large", "largest" } },
         [SET_ROTATION] = { 4, { "0", "90", "180", "270" } },
         /* The value is the paper grade of the poi (the paper scoop). Value 0 means the game mode's
          * own grade. Values 1 to 3 have no name because they are not valid. */
@@ -253,6 +256,16 @@ static const char *const help[SETTING_COUNT] = {
         ("Level that players have until they choose another one: easy for children and "
          "beginners, or master, which is as hard as a real stall. A championship is always "
          "played at master."),
+    [SET_DIP] =
+        ("With a mouse or a touch screen: hold the button to dip the poi, or click once to dip it "
+         "and once to lift it."),
+    [SET_REACH] =
+        ("Lower part of the picture, from 40 per cent, in which a mouse or a finger reaches the "
+         "whole tank. 0 means the whole picture."),
+    [SET_SIDE] =
+        ("Side of the bowl of a player who plays alone. With dip, the bowl is on the side where "
+         "the visitor dips to end the demonstration, and otherwise on the right."),
+    [SET_TEXT] = "Size of small texts on the pages for players.",
     [SET_PIN] = "Four digits that open the operator's menu. 0 means that the menu needs no PIN.",
 };
 

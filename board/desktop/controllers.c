@@ -166,8 +166,6 @@ static void add_pointer(struct hal *hal, const struct board_options *options, ui
     const uint32_t width = options->width ? options->width : 1280;
     const uint32_t height = options->height ? options->height : 720;
     mouse_poi_init(&devices.mouse, hal->clock, &options->view, width, height, kinds);
-    devices.mouse.aid.clicks = options->dips_by_click;
-    devices.mouse.aid.reach_percent = options->reach_percent;
     devices.has_pointer = true;
     add_source(mouse_poi_devices(&devices.mouse), mouse_poi_is_used, &devices.mouse,
                INPUT_KIND_POINTER, true);

@@ -25,6 +25,7 @@ void attract_begin(struct game *game, struct world *world, const struct core_con
         game->player[i].level = LEVEL_MASTER;
     }
     session_language_reset(game, config);
+    table_setup_choose_side(game, world, config, 0.0f);
     game_enter_phase(game, PHASE_ATTRACT);
     table_setup_empty_bowls(world);
     table_setup_prepare(game->control, game, world, config, config->preset);
@@ -36,8 +37,11 @@ void attract_tick(struct game *game, struct world *world, struct core_config *co
                   const struct input *input, struct output *output)
 {
     CORE_ASSERT(game->phase == PHASE_ATTRACT);
-    const bool dipped = controller_dipped_player(game, world, input) < POI_MAX;
-    if ((input->pressed & INPUT_START) || dipped ||
+    const uint32_t dipped = controller_dipped_player(game, world, input);
+    if (dipped < POI_MAX) {
+        table_setup_choose_side(game, world, config, input->poi[dipped].target.position_m.x);
+    }
+    if ((input->pressed & INPUT_START) || dipped < POI_MAX ||
         credit_is_awaited(&game->accounts, config, game->tick)) {
         game_mode_select_begin(game, world, config, output);
     }

@@ -216,6 +216,8 @@ struct game {
     uint32_t gone_tick;
     /* Tick at which a visitor's choice of language in attract mode ends; 0 means no choice. */
     uint32_t language_until;
+    /* 1 if the bowl of a player who plays alone is on the left side of the tank, otherwise 0. */
+    uint8_t bowl_is_left;
     /* Tick at which a new session starts, which means that the core reinitializes itself
      * (session.c); 0 means that no session was requested. */
     uint32_t turn_tick;

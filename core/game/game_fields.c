@@ -219,7 +219,7 @@ static const struct field_table menu_fields = FIELD_TABLE(menu,
     FIELD(pin), FIELD(has_hand), FIELD(hand), FIELD(presses), FIELD(points), FIELD(held),
     FIELD(test_coins), FIELD(coin_tick), FIELD(command_count), FIELD(ask_tick),
     FIELD(take_tick), FIELD(act_tick), FIELD(use_tick), FIELD_BYTES(tag),
-    FIELD_BYTES(controllers), FIELD(pressed_count), FIELD(rest), FIELD_SKIP(hides_level),
+    FIELD_BYTES(controllers), FIELD(pressed_count), FIELD(rest), FIELD_SKIP(rules),
     FIELD_STRUCT(calibrate, &calibrate_fields), FIELD_STRUCT(self, &self_test_fields), FIELD(x),
     FIELD(y));
 #undef STRUCT
@@ -280,6 +280,7 @@ const struct field_table game_fields = FIELD_TABLE(game,
     FIELD_STRUCT(health_log, &health_log_fields), FIELD_STRUCT(menu, &menu_fields),
     FIELD_STRUCT(album, &album_fields), FIELD_STRUCT(lab, &lab_fields),
     FIELD_LATER(language_until, 0), FIELD_SINCE(9, upright, 1),
+    FIELD_SINCE(10, bowl_is_left, 2),
     FIELD_STRUCT(hints, &hints_fields), FIELD_SKIP(tick),
     FIELD_SKIP(accounts.audits), FIELD_SKIP(accounts.ranking), FIELD_SKIP(settings_edit));
 #undef STRUCT

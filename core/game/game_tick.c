@@ -164,6 +164,7 @@ void game_tick(struct game *game, struct world *world, struct core_config *confi
     } else if (phase == PHASE_NAME) {
         name_keep(&game->accounts, &game->name, game->tick, output);
     }
+    table_setup_moor_bowl(game, world, config);
     self_test_tick(&scope, raw);
     settings_edit_tick(&scope);
     controller_assign(game, world, input);

@@ -42,6 +42,17 @@ void table_setup_open(struct control control[POI_MAX], const struct game *game, 
 void table_setup_prepare(struct control control[POI_MAX], const struct game *game,
                          struct world *world, const struct core_config *config, uint8_t preset);
 
+/* Chooses the side of the bowl of a player who plays alone, by SET_SIDE. `dip_x_m` is the place of
+ * the dip that ended attract mode; 0 means that there was no dip. A dip in the left third of the
+ * tank chooses the left side. Under the rules of formats before 10, the bowl is on the right. */
+void table_setup_choose_side(struct game *game, const struct world *world,
+                             const struct core_config *config, float dip_x_m);
+
+/* Sets the home position of the bowl of a player who plays alone on the chosen side. The mooring
+ * then pulls the bowl there in a few seconds. The bowls of several players keep their places. */
+void table_setup_moor_bowl(const struct game *game, struct world *world,
+                           const struct core_config *config);
+
 /* Replaces the paper of poi `index` while the poi stays in place. Fish on the old paper fall. The
  * new paper has the grade of the current mode. */
 void table_setup_replace_poi(const struct game *game, struct world *world,

@@ -177,6 +177,8 @@ void gamepad_decoder_report(struct gamepad_decoder *decoder, const struct gamepa
         { GAMEPAD_LEFT, INPUT_LEFT },
         { GAMEPAD_RIGHT, INPUT_RIGHT },
         { GAMEPAD_BACK, INPUT_LANGUAGE },
+        { GAMEPAD_UP, INPUT_UP },
+        { GAMEPAD_DOWN, INPUT_DOWN },
         { GAMEPAD_UP | GAMEPAD_DOWN | GAMEPAD_EAST | GAMEPAD_NORTH | GAMEPAD_SHOULDER_RIGHT,
           INPUT_OK },
     };

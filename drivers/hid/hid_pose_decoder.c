@@ -242,7 +242,10 @@ static uint32_t cabinet_buttons(const struct hid_pose_decoder *decoder)
     for (uint32_t i = 0; i < decoder->map.count; i++) {
         const int direction = (int)decoder->value[i];
         if (decoder->map.binding[i].role == HID_ROLE_HAT && direction >= 0) {
-            held |= direction >= 5 ? INPUT_LEFT : direction % 4 == 0 ? INPUT_OK : INPUT_RIGHT;
+            held |= direction >= 5       ? INPUT_LEFT
+                    : direction % 4 != 0 ? INPUT_RIGHT
+                    : direction == 0     ? INPUT_OK | INPUT_UP
+                                         : INPUT_OK | INPUT_DOWN;
         }
     }
     return held;

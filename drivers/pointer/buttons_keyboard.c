@@ -9,7 +9,7 @@
 
 struct key {
     SDL_Keycode code;
-    uint32_t button; /* Cabinet button of the key (enum input_button). 0 means that the key is no
+    uint32_t button; /* Cabinet buttons of the key (enum input_button). 0 means that the key is no
                         cabinet button. */
     uint8_t coin;    /* Coin line of the key plus 1. 0 means that the key inserts no coin. */
     bool quit, full_screen;
@@ -21,8 +21,8 @@ static const struct key keys[] = {
     { .code = SDLK_KP_ENTER, .button = INPUT_START },
     { .code = SDLK_LEFT, .button = INPUT_LEFT },
     { .code = SDLK_RIGHT, .button = INPUT_RIGHT },
-    { .code = SDLK_DOWN, .button = INPUT_OK },
-    { .code = SDLK_UP, .button = INPUT_OK },
+    { .code = SDLK_DOWN, .button = INPUT_OK | INPUT_DOWN },
+    { .code = SDLK_UP, .button = INPUT_OK | INPUT_UP },
     { .code = SDLK_l, .button = INPUT_LANGUAGE },
     { .code = SDLK_F2, .button = INPUT_TEST },
     { .code = SDLK_F3, .button = INPUT_SERVICE },

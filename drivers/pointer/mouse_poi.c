@@ -235,9 +235,12 @@ static void mouse_poi_set_view(void *self, const struct view *view,
     CORE_ASSERT(view && display_settings);
     struct mouse_poi *mouse = self;
     mouse->pointer.view = *view;
-    if (scoops != mouse->pointer.dip.scoops) {
+    const bool clicks = display_settings->dips_by_click != 0;
+    if (scoops != mouse->pointer.dip.scoops || clicks != mouse->aid.clicks) {
         pointer_aid_raise(&mouse->aid);
     }
+    mouse->aid.clicks = clicks;
+    mouse->aid.reach_percent = display_settings->reach_percent;
     mouse->pointer.dip.scoops = scoops;
     mouse->display_settings = *display_settings;
 }

@@ -23,8 +23,7 @@ enum pointer_filter {
 struct mouse_poi {
     struct hal_clock clock;
     struct pointer_poi pointer;
-    /* Adaptation of the pointer to the player. The caller may set its options after
-     * mouse_poi_init(). */
+    /* Adaptation of the pointer to the player. Its options come from set_view(). */
     struct pointer_aid aid;
     bool fan_key;           /* True while the F key is pressed. */
     uint8_t enabled;        /* Enabled devices, as bits of enum pointer_filter. */

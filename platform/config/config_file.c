@@ -99,7 +99,12 @@ static void read_setting(struct reading *reading, uint32_t id, const char *key, 
     CORE_ASSERT(id < SETTING_COUNT);
     char range[SETTING_RANGE_MAX];
     struct options_query_result *file = &reading->options->file;
-    if (!is_here(reading, key, setting_section(settings_entry(id)->group))) {
+    /* Configuration files from before the menu had rows for these two settings list them in
+     * [devices]. */
+    const bool was_device = id == SET_DIP || id == SET_REACH;
+    const char *own = setting_section(settings_entry(id)->group);
+    const bool is_old = was_device && strcmp(reading->section, "devices") == 0;
+    if (!is_here(reading, key, is_old ? reading->section : own)) {
         return;
     }
     if (!setting_parse(id, value, &file->value[id])) {

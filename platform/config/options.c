@@ -23,8 +23,8 @@ static bool add_setting(struct options *options, uint32_t id, int32_t value)
 }
 
 /* Parses and stores the value of an option that sets the setting option->id. The values are those
- * of setting_parse(), with three exceptions: --mode accepts "choose" for all game modes, but no
- * list of modes; --grade does not accept "own"; and --fish does not accept 0. */
+ * of setting_parse(), with these exceptions: --mode accepts "choose" for all game modes, but no
+ * list of modes; --grade does not accept "own"; and --fish and --reach do not accept 0. */
 static bool set_one(void *target, const struct option *option, const char *value, char *why)
 {
     int32_t number;
@@ -34,7 +34,8 @@ static bool set_one(void *target, const struct option *option, const char *value
         return add_setting(target, SET_MODES, OPTIONS_MODES_ALL);
     }
     if ((is_modes && strchr(value, ',')) || !setting_parse(option->id, value, &number) ||
-        (number == 0 && (option->id == SET_GRADE || option->id == SET_FISH))) {
+        (number == 0 &&
+         (option->id == SET_GRADE || option->id == SET_FISH || option->id == SET_REACH))) {
         return false;
     }
     return add_setting(target, option->id, number);
@@ -155,7 +156,6 @@ static bool set_setting(void *target, const struct option *option, const char *t
 /* ---- Table of options ---------------------------------------------------------------------- */
 
 static const char *const poi_names[] = { "auto", "mouse", "touch", "pad", "usb", "bot", NULL };
-static const char *const dip_names[] = { "hold", "click", NULL };
 static const char *const keyboard_names[] = { "auto", "on", "off", NULL };
 const char *const options_tank_names[] = { "festival", "thesis", "official", NULL };
 const char *const options_mode_names[] = { "festival", "championship", "practice", NULL };
@@ -176,10 +176,15 @@ static const struct option table[] = {
     { "poi", "KIND", "controller of the first player; with bot, the bot plays for all players",
       OPTION_CHOICE, AT(poi), .choices = poi_names, .section = "devices" },
     { "dip", "HOW", "with a mouse or touch screen: hold to dip, or click to dip and to lift",
-      OPTION_CHOICE, AT(dips_by_click), .choices = dip_names, .section = "devices" },
+      SET(set_one), .id = SET_DIP, .expects = "hold or click", .section = "" },
     { "reach", "PERCENT",
       "lower part of the picture in which a mouse or finger reaches the whole tank; the default is "
-      "100", OPTION_WHOLE, AT(reach_percent), .min = 40, .max = 100, .section = "devices" },
+      "100", SET(set_one), .id = SET_REACH, .expects = "40 to 100", .section = "" },
+    { "side", "NAME",
+      "side of the bowl of a player who plays alone; with dip, the side of the first dip",
+      SET(set_one), .id = SET_SIDE, .expects = "dip, right or left", .section = "" },
+    { "text", "SIZE", "size of small texts on the pages for players", SET(set_one), .id = SET_TEXT,
+      .expects = "normal, large or largest", .section = "" },
     { "usb", "ID", "USB controller that may be a poi; repeat the option for each controller",
       SET(set_usb), .expects = "VVVV:PPPP or VVVV:PPPP:SERIAL, as lsusb lists it; 8 at most",
       .section = "devices" },

@@ -31,8 +31,6 @@ struct options {
     uint32_t demo_s;        /* Length of the demonstration in seconds. */
     uint32_t width, height; /* Window size in pixels. 0 means full screen. */
     uint8_t poi;            /* Kind of controller that moves the poi (enum board_poi). */
-    uint8_t dips_by_click;  /* 1 if one click dips the poi and the next click lifts it. */
-    uint32_t reach_percent; /* Reach of pointers in per cent, as in struct board_options. */
     bool has_seed;
     uint32_t seed;
     uint8_t tank; /* Tank preset of the game (enum tank_preset_id). */

@@ -196,5 +196,7 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
         .shift_x = dimmer_shift_at(dimmer->wander_ms, WANDER_X_MS),
         .shift_y = dimmer_shift_at(dimmer->wander_ms, WANDER_Y_MS),
         .light = dimmer->light * 0.01f * (float)value[SET_BRIGHTNESS],
+        .dips_by_click = (uint32_t)value[SET_DIP],
+        .reach_percent = (uint32_t)value[SET_REACH],
     };
 }

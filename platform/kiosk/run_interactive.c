@@ -105,8 +105,6 @@ bool run_interactive_open(struct run_common *session)
     const uint8_t automatic = getenv("NOTIFY_SOCKET") ? BOARD_KEYBOARD_OFF : BOARD_KEYBOARD_ON;
     const struct board_options board = {
         .poi = options->poi,
-        .dips_by_click = options->dips_by_click,
-        .reach_percent = options->reach_percent,
         .keyboard = options->keyboard == BOARD_KEYBOARD_AUTO ? automatic : options->keyboard,
         .usb_count = options->usb_count,
         .usb = (const char(*)[BOARD_USB_SIZE])options->usb,

@@ -46,9 +46,10 @@
 /* Maximum size of a catalog in bytes. Eight species and fifteen graphs take 25 KB. */
 #define REPLAY_CATALOG_MAX (32u * 1024u)
 
-/* Format version that the writer writes. Version 8 added the rules of tickets and refunds, and
- * version 9 the levels and the presents. */
-#define REPLAY_VERSION 9u
+/* Format version that the writer writes. Version 8 added the rules of tickets and refunds,
+ * version 9 the levels and the presents, and version 10 the side of the bowl and the settings for
+ * the bodies of the players. */
+#define REPLAY_VERSION 10u
 /* Oldest format version that the reader accepts. A recording of an older version is simulated under
  * the rules of that version (config_has_rules() in core/config.h). Versions below 7 are rejected
  * because their recordings lack data: the shadows (version 1), the game modes (up to version 2),

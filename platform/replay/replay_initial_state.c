@@ -42,10 +42,21 @@ static void walk_fields(struct replay_serializer *walk, const struct field_table
 }
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "numbers of a board are those of a file");
 
+/* Returns the number of settings in recordings of format `version`. Newer settings follow the older
+ * settings. */
+static uint32_t count_settings(uint32_t version)
+{
+    uint32_t count = SETTING_COUNT;
+    while (count > 0 && settings_entry(count - 1u)->since > version) {
+        count--;
+    }
+    return count;
+}
+
 static void walk_memory(struct replay_serializer *walk, struct persistent_state *memory)
 {
     walk_fields(walk, &ledger_start_fields, &memory->ledger);
-    const uint32_t setting_count = walk->version < 9u ? (uint32_t)SET_LEVEL : SETTING_COUNT;
+    const uint32_t setting_count = count_settings(walk->version);
     for (uint32_t id = 0; id < setting_count; id++) { /* A setting is stored as the difference from
                                                          its default. */
         const uint32_t standard = (uint32_t)settings_entry(id)->standard;
@@ -77,16 +88,15 @@ static void clear_later_fields(struct ledger *ledger, uint32_t version)
     }
 }
 
-/* Serializes `edit`, the settings whose values the ledger has logged. Formats before 9 lack the
- * last setting, SET_LEVEL. */
+/* Serializes `edit`, the settings whose values the ledger has logged. Older formats lack the last
+ * settings, whose defaults are 0. */
 static void walk_settings_edit(struct replay_serializer *walk, struct settings_edit *edit)
 {
-    const size_t last = walk->version < 9u ? sizeof edit->logged.value[SET_LEVEL] : 0u;
-    replay_serialize_bytes(walk, &edit->logged, sizeof edit->logged - last);
+    const size_t size = count_settings(walk->version) * sizeof edit->logged.value[0];
+    replay_serialize_bytes(walk, &edit->logged, size);
     replay_serialize_bytes(walk, &edit->turn_tick, sizeof *edit - sizeof edit->logged);
 }
-_Static_assert(offsetof(struct settings_edit, turn_tick) == sizeof(struct settings) &&
-                   SET_LEVEL + 1 == SETTING_COUNT,
+_Static_assert(offsetof(struct settings_edit, turn_tick) == sizeof(struct settings),
                "the last logged setting precedes the other members");
 
 /* Serializes the game session. Its ledger, credit and settings are copied as they are in memory,
@@ -123,7 +133,9 @@ static void walk_rules(struct replay_serializer *walk, struct core_config *confi
         walk->bad |= config->rules > 1u;
         config->rules = config->rules == 1u ? 7u : 8u;
     }
-    walk->bad |= config->rules != 0 && config->rules != 7u && config->rules != 8u;
+    const bool is_own = config->rules == 0 && walk->version < REPLAY_VERSION;
+    config->rules = is_own ? (uint8_t)walk->version : config->rules;
+    walk->bad |= config->rules != 0 && (config->rules < 7u || config->rules >= REPLAY_VERSION);
 }
 
 static void walk_config(struct replay_serializer *walk, struct core_config *config)

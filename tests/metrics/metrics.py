@@ -59,6 +59,7 @@ FEATURE_LINES = {
     'lessons: a ring around an easy fish, and an arrow to the bowl': 258,
     'lessons: a ghost hand, and hints beside the poi': 505,
     'caught fish that fly to the counter, and the word for a near miss': 193,
+    'bodies of players: settings in the menu, arrows beside a value, and the side of the bowl': 158,
     'a click to dip, the reach of pointers, and a number on each handle': 69,
     'the fall of a present into its bowl': 14,
     'a signal stack for the audio thread of SDL': 7,

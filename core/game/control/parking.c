@@ -36,12 +36,13 @@
 struct poi_target parking_place(const struct world *world, uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
-    const vec3 bowl_m = tank_preset(world->tank.preset)->bowl_m[index];
-    const float side = bowl_m.x < 0.0f ? -1.0f : 1.0f;
+    const struct bowl *bowl = &world->bowl[index];
+    const vec3 preset_m = tank_preset(world->tank.preset)->bowl_m[index];
+    const float side = (bowl->present ? bowl->home_m.x : preset_m.x) < 0.0f ? -1.0f : 1.0f;
     const float wall_m = 0.5f * world->tank.size_m.x;
     const float rim_m = world->tank.wall_height_m - world->tank.size_m.y;
     return (struct poi_target){
-        .position_m = v3(side * (wall_m - INSIDE_M), rim_m + ON_RIM_M, bowl_m.z - ALONG_M),
+        .position_m = v3(side * (wall_m - INSIDE_M), rim_m + ON_RIM_M, preset_m.z - ALONG_M),
     };
 }
 

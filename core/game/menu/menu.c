@@ -59,7 +59,7 @@ static void open_menu(struct game *game, struct world *world, const struct core_
     *menu = (struct menu){
         .controllers = input->controllers,
         .upright = input->upright != 0,
-        .hides_level = !config_has_rules(config, 9),
+        .rules = config->rules,
         /* Treat each poi as already dipped, so that a poi that is under water when the menu opens
          * selects no item. */
         .presses = 1,
@@ -143,7 +143,7 @@ void menu_go(const struct menu_scope *scope, enum menu_page page)
 
 static void point_at_tag(struct menu *menu, uint32_t tag, struct output *output)
 {
-    CORE_ASSERT(tag < menu_tag_count(menu->page, menu->hides_level));
+    CORE_ASSERT(tag < menu_tag_count(menu->page, menu->rules));
     if (menu->tag[menu->page] != tag) {
         menu->tag[menu->page] = (uint8_t)tag;
         output_sound(output, SOUND_CHOOSE, 0.6f, 0.0f);
@@ -154,7 +154,7 @@ static void point_at_tag(struct menu *menu, uint32_t tag, struct output *output)
 static void point_on(struct menu *menu, bool forward, struct output *output)
 {
     CORE_ASSERT(menu->page < MENU_PAGE_COUNT);
-    const uint32_t count = menu_tag_count(menu->page, menu->hides_level);
+    const uint32_t count = menu_tag_count(menu->page, menu->rules);
     const uint16_t offered = menu_enabled(menu);
     uint32_t tag = menu->tag[menu->page];
     do {
@@ -183,25 +183,33 @@ static bool is_way_back(const struct input *input)
     return (input->pressed & MENU_WAY_BACK) == MENU_WAY_BACK;
 }
 
-/* Handles the buttons. Returns true if a button closes the menu. */
+/* Handles the buttons. LEFT lowers the value of a highlighted setting, and RIGHT raises it. On
+ * other items they move the highlight. Returns true if a button closes the menu. */
 static bool take_menu_buttons(const struct menu_scope *scope, const struct input *input)
 {
     struct menu *menu = scope->menu;
     const uint32_t inside = INPUT_TEST | INPUT_SERVICE;
     if (is_way_back(input)) {
-        menu->tag[menu->page] = (uint8_t)(menu_tag_count(menu->page, menu->hides_level) - 1u);
+        menu->tag[menu->page] = (uint8_t)(menu_tag_count(menu->page, menu->rules) - 1u);
         CORE_ASSERT(menu_enabled(menu) >> menu->tag[menu->page] & 1u);
         return activate_pointed_tag(scope);
     }
     const uint32_t pressed =
         input->pressed &
         (menu_page_desc_of(menu->page)->shows_presses ? inside : (uint32_t)INPUT_BUTTON_ALL);
-    if (pressed & (INPUT_SERVICE | INPUT_RIGHT)) {
+    if ((pressed & (INPUT_LEFT | INPUT_RIGHT)) &&
+        menu_has_arrows(menu->page, menu->rules, menu->tag[menu->page])) {
+        menu->turns_down = (pressed & INPUT_LEFT) != 0;
+        return activate_pointed_tag(scope);
+    }
+    if (pressed & (INPUT_SERVICE | INPUT_RIGHT | INPUT_DOWN)) {
         point_on(menu, 1, scope->output);
-    } else if (pressed & INPUT_LEFT) {
+    } else if (pressed & (INPUT_LEFT | INPUT_UP)) {
         point_on(menu, 0, scope->output);
     }
-    return (pressed & (INPUT_TEST | INPUT_START | INPUT_OK)) && activate_pointed_tag(scope);
+    /* The directions up and down report INPUT_OK too, which must not select an item here. */
+    return (pressed & (INPUT_TEST | INPUT_START | INPUT_OK)) &&
+           !(pressed & (INPUT_UP | INPUT_DOWN)) && activate_pointed_tag(scope);
 }
 
 /* ---- Selection of items by a pointer -------------------------------------------------------- */
@@ -258,10 +266,9 @@ static bool point_at_tag_by_hand(const struct menu_scope *scope, const struct wo
     menu->y = hand.at.y;
     const uint16_t offered = menu_enabled(menu);
     uint8_t points = 0; /* Item under the pointer, counted from 1. 0 means no item. */
-    for (uint32_t tag = 0; tag < menu_tag_count(menu->page, menu->hides_level) && points == 0;
-         tag++) {
+    for (uint32_t tag = 0; tag < menu_tag_count(menu->page, menu->rules) && points == 0; tag++) {
         const struct layout_box box =
-            menu_box(menu->upright, menu->page, menu->hides_level, offered, tag);
+            menu_box(menu->upright, menu->page, menu->rules, offered, tag);
         points = pointer_is_inside(box, 0.0f, hand.at) ? (uint8_t)(tag + 1u) : 0u;
     }
     if (stirs && points != menu->points && points > 0) {
@@ -274,6 +281,7 @@ static bool point_at_tag_by_hand(const struct menu_scope *scope, const struct wo
         /* A dip of the poi selects the item under the pointer, even if a button has moved the
          * highlight. */
         point_at_tag(menu, points - 1u, scope->output);
+        menu_aim_at_arrow(menu, hand.at);
         return activate_pointed_tag(scope);
     }
     return false;
@@ -340,8 +348,11 @@ void menu_tick(struct game *game, struct world *world, struct core_config *confi
     watch_input_test(menu, game, &config->persistent.settings, input, output);
     bool closes = take_menu_buttons(&scope, input) || point_at_tag_by_hand(&scope, world, input);
     if (!closes) {
+        const uint32_t directions = menu_has_arrows(menu->page, menu->rules, menu->tag[menu->page])
+                                        ? (uint32_t)(INPUT_LEFT | INPUT_RIGHT)
+                                        : 0u;
         const bool is_taking =
-            (menu->held & (INPUT_TEST | INPUT_START | INPUT_OK)) != 0 ||
+            (menu->held & (INPUT_TEST | INPUT_START | INPUT_OK | directions)) != 0 ||
             (menu->has_hand && menu->presses && menu->points == menu->tag[menu->page] + 1u);
         menu_settings_tick(&scope, is_taking);
         const uint32_t span = menu->page == MENU_PIN ? MENU_PIN_IDLE_TICKS : MENU_IDLE_TICKS;

@@ -121,15 +121,15 @@ static uint8_t nth_child(uint8_t parent, uint32_t nth, uint32_t *count)
 
 /* Returns setting `nth` of the group `group`, or SETTING_COUNT if the group has fewer settings.
  * Writes the number of settings counted until then to `*count`. Settings of kind KIND_BITS are not
- * counted, because each has a page of its own. If `hides_level` is true, SET_LEVEL is not
- * counted. */
-static uint32_t nth_setting(uint8_t group, bool hides_level, uint32_t nth, uint32_t *count)
+ * counted, because each has a page of its own. A setting that is
+ * newer than the format `rules` is not counted. */
+static uint32_t nth_setting(uint8_t group, uint8_t rules, uint32_t nth, uint32_t *count)
 {
     *count = 0;
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
         const struct setting *setting = settings_entry(id);
         const bool has_row = setting->group == group && setting->kind != KIND_BITS &&
-                             !(hides_level && id == SET_LEVEL);
+                             (rules == 0 || setting->since <= rules);
         if (has_row && (*count)++ == nth) {
             return id;
         }
@@ -137,7 +137,7 @@ static uint32_t nth_setting(uint8_t group, bool hides_level, uint32_t nth, uint3
     return SETTING_COUNT;
 }
 
-uint32_t menu_body_count(uint8_t page, bool hides_level)
+uint32_t menu_body_count(uint8_t page, uint8_t rules)
 {
     const struct menu_page_desc *sheet = menu_page_desc_of(page);
     uint32_t children, settings, bits = 0;
@@ -146,7 +146,7 @@ uint32_t menu_body_count(uint8_t page, bool hides_level)
     case MENU_BODY_PAGES:
         return children;
     case MENU_BODY_SETTINGS:
-        nth_setting(sheet->topic, hides_level, SETTING_COUNT, &settings);
+        nth_setting(sheet->topic, rules, SETTING_COUNT, &settings);
         return settings + children;
     case MENU_BODY_BITS:
         while (settings_entry(sheet->topic)->max >> bits) {
@@ -158,43 +158,42 @@ uint32_t menu_body_count(uint8_t page, bool hides_level)
     }
 }
 
-uint32_t menu_tag_count(uint8_t page, bool hides_level)
+uint32_t menu_tag_count(uint8_t page, uint8_t rules)
 {
-    const uint32_t count = menu_body_count(page, hides_level) + menu_page_desc_of(page)->foot_count;
+    const uint32_t count = menu_body_count(page, rules) + menu_page_desc_of(page)->foot_count;
     CORE_ASSERT(count <= MENU_TAG_MAX);
     return count;
 }
 
-uint8_t menu_page_at(uint8_t page, bool hides_level, uint32_t tag)
+uint8_t menu_page_at(uint8_t page, uint8_t rules, uint32_t tag)
 {
     const struct menu_page_desc *sheet = menu_page_desc_of(page);
     uint32_t first = 0, count;
     if (sheet->body == MENU_BODY_SETTINGS) {
-        nth_setting(sheet->topic, hides_level, SETTING_COUNT, &first);
+        nth_setting(sheet->topic, rules, SETTING_COUNT, &first);
     } else if (sheet->body != MENU_BODY_PAGES) {
         return MENU_PAGE_COUNT;
     }
     return tag < first ? (uint8_t)MENU_PAGE_COUNT : nth_child(page, tag - first, &count);
 }
 
-uint32_t menu_setting_at(uint8_t page, bool hides_level, uint32_t tag)
+uint32_t menu_setting_at(uint8_t page, uint8_t rules, uint32_t tag)
 {
     const struct menu_page_desc *sheet = menu_page_desc_of(page);
-    const uint8_t leads = menu_page_at(page, hides_level, tag);
+    const uint8_t leads = menu_page_at(page, rules, tag);
     uint32_t count;
     if (leads < MENU_PAGE_COUNT && sheets[leads].body == MENU_BODY_BITS) {
         return sheets[leads].topic;
     }
-    return sheet->body == MENU_BODY_SETTINGS ? nth_setting(sheet->topic, hides_level, tag, &count)
+    return sheet->body == MENU_BODY_SETTINGS ? nth_setting(sheet->topic, rules, tag, &count)
                                              : SETTING_COUNT;
 }
 
 uint16_t menu_enabled(const struct menu *menu)
 {
     const struct menu_page_desc *sheet = menu_page_desc_of(menu->page);
-    return sheet->is_enabled
-               ? sheet->is_enabled(menu)
-               : (uint16_t)((1u << menu_tag_count(menu->page, menu->hides_level)) - 1u);
+    return sheet->is_enabled ? sheet->is_enabled(menu)
+                             : (uint16_t)((1u << menu_tag_count(menu->page, menu->rules)) - 1u);
 }
 
 /* ---- Actions of the selected item ----------------------------------------------------------- */
@@ -211,9 +210,8 @@ bool menu_activate(const struct menu_scope *scope)
 {
     struct menu *menu = scope->menu;
     const struct menu_page_desc *sheet = menu_page_desc_of(menu->page);
-    const uint32_t tag = menu->tag[menu->page],
-                   count = menu_tag_count(menu->page, menu->hides_level);
-    const uint8_t page = menu_page_at(menu->page, menu->hides_level, tag);
+    const uint32_t tag = menu->tag[menu->page], count = menu_tag_count(menu->page, menu->rules);
+    const uint8_t page = menu_page_at(menu->page, menu->rules, tag);
     CORE_ASSERT(tag < count);
     if (tag + 1u == count && sheet->parent == MENU_PAGE_COUNT) {
         return true;

@@ -62,19 +62,19 @@ struct menu_page_desc {
 const struct menu_page_desc *menu_page_desc_of(uint8_t page);
 
 /* menu_body_count() returns the number of items in the page's body. menu_tag_count() returns the
- * number of all items of the page. If `hides_level` is true, these functions and the functions
- * below omit the row of SET_LEVEL, because recordings older than format 9 were made without this
- * row. */
-uint32_t menu_body_count(uint8_t page, bool hides_level);
-uint32_t menu_tag_count(uint8_t page, bool hides_level);
+ * number of all items of the page. `rules` is the format whose rules the menu follows, or 0 for the
+ * current rules. These functions and the functions below omit the rows of settings that are newer
+ * than the format. */
+uint32_t menu_body_count(uint8_t page, uint8_t rules);
+uint32_t menu_tag_count(uint8_t page, uint8_t rules);
 
 /* Returns the page that item `tag` in the body opens; MENU_PAGE_COUNT means none. */
-uint8_t menu_page_at(uint8_t page, bool hides_level, uint32_t tag);
+uint8_t menu_page_at(uint8_t page, uint8_t rules, uint32_t tag);
 
 /* Returns the setting (enum setting_id) of row `tag` of `page`: the setting that the row changes,
  * or the setting of the page that the row opens. Returns SETTING_COUNT if the row has no
  * setting. */
-uint32_t menu_setting_at(uint8_t page, bool hides_level, uint32_t tag);
+uint32_t menu_setting_at(uint8_t page, uint8_t rules, uint32_t tag);
 
 /* Returns a bit mask of the items of the open page that can be selected. */
 uint16_t menu_enabled(const struct menu *menu);
@@ -97,8 +97,21 @@ void menu_close(struct game *game, struct world *world, const struct core_config
 
 /* Returns the box of item `tag` on the canvas. The box is empty if the item is not in the bit mask
  * `offered`. */
-struct layout_box menu_box(bool upright, uint8_t page, bool hides_level, uint16_t offered,
+struct layout_box menu_box(bool upright, uint8_t page, uint8_t rules, uint16_t offered,
                            uint32_t tag);
+
+/* Returns true if item `tag` of `page` has two arrows: the left arrow lowers the value of the
+ * row's setting, and the right arrow raises it. Under the rules of formats before 10, no row has
+ * arrows. */
+bool menu_has_arrows(uint8_t page, uint8_t rules, uint32_t tag);
+
+/* Returns the box of an arrow in the row whose box is `row`: of the left arrow if `is_left` is
+ * true, otherwise of the right arrow. The value is between the arrows. */
+struct layout_box menu_arrow_box(struct layout_box row, bool is_left);
+
+/* If the point `at` is on an arrow of the highlighted row, the next change of the row's value has
+ * the direction of the arrow. */
+void menu_aim_at_arrow(struct menu *menu, struct layout_point at);
 
 /* Combination of buttons that means "back". A person never presses all of these buttons in the same
  * tick; the quit key of a desktop produces the combination. The page's last item is activated,

@@ -90,20 +90,19 @@ static struct layout_box grid_box(const struct measures *m, uint32_t nth, uint32
 /* Returns the box of the item `tag` on the canvas. Items at the foot of a page lie in one row and
  * have equal widths. Large items lie in as few rows as possible. If there are many rows, the height
  * of each row is reduced. */
-struct layout_box menu_box(bool upright, uint8_t page, bool hides_level, uint16_t offered,
+struct layout_box menu_box(bool upright, uint8_t page, uint8_t rules, uint16_t offered,
                            uint32_t tag)
 {
     const struct menu_page_desc *sheet = menu_page_desc_of(page);
     const struct measures *m = upright ? &upright_measures : &wide;
-    CORE_ASSERT(tag < menu_tag_count(page, hides_level));
+    CORE_ASSERT(tag < menu_tag_count(page, rules));
     if (!(offered >> tag & 1u)) {
         return (struct layout_box){ 0.0f, 0.0f, 0.0f, 0.0f };
     }
-    const uint32_t body_count = menu_body_count(page, hides_level);
+    const uint32_t body_count = menu_body_count(page, rules);
     if (tag >= body_count) {
         const uint32_t nth = count_offered(offered, body_count, tag);
-        const uint32_t count =
-            count_offered(offered, body_count, menu_tag_count(page, hides_level));
+        const uint32_t count = count_offered(offered, body_count, menu_tag_count(page, rules));
         const float gaps = (float)(count - 1u) * m->foot.gap_x;
         const float width = f_min(m->foot.width, (m->body.width - gaps) / (float)count);
         const float row = (float)count * width + gaps;
@@ -131,6 +130,39 @@ struct layout_box menu_box(bool upright, uint8_t page, bool hides_level, uint16_
                                 pitch * m->row_height / m->row_pitch };
 }
 
+/* Width of an arrow, and of the space for a value between two arrows. */
+#define ARROW_WIDTH 58.0f
+#define VALUE_WIDTH 192.0f
+
+bool menu_has_arrows(uint8_t page, uint8_t rules, uint32_t tag)
+{
+    return (rules == 0 || rules >= 10u) && menu_page_desc_of(page)->body == MENU_BODY_SETTINGS &&
+           menu_page_at(page, rules, tag) == MENU_PAGE_COUNT &&
+           menu_setting_at(page, rules, tag) < SETTING_COUNT;
+}
+
+struct layout_box menu_arrow_box(struct layout_box row, bool is_left)
+{
+    const float from_right = is_left ? VALUE_WIDTH + 2.0f * ARROW_WIDTH : ARROW_WIDTH;
+    CORE_ASSERT(row.width > VALUE_WIDTH + 2.0f * ARROW_WIDTH);
+    return (struct layout_box){ row.x + row.width - from_right, row.y, ARROW_WIDTH, row.height };
+}
+
+void menu_aim_at_arrow(struct menu *menu, struct layout_point at)
+{
+    const uint32_t tag = menu->tag[menu->page];
+    if (!menu_has_arrows(menu->page, menu->rules, tag)) {
+        return;
+    }
+    const struct layout_box row =
+        menu_box(menu->upright, menu->page, menu->rules, menu_enabled(menu), tag);
+    for (uint32_t is_left = 0; is_left < 2u; is_left++) {
+        if (pointer_is_inside(menu_arrow_box(row, is_left), 0.0f, at)) {
+            menu->turns_down = (uint8_t)is_left;
+        }
+    }
+}
+
 _Static_assert(AUDIT_COUNT <= SCENE_AUDIT_MAX, "every audit can be shown");
 
 /* Time for which a menu page shows that a change has been saved on disk. */
@@ -152,7 +184,7 @@ void menu_show(const struct game *game, const struct core_config *config, struct
     out->file_first = menu->file_first < menu->controllers.file_count ? menu->file_first : 0;
     out->score = menu->score;
     out->upright = menu->upright;
-    out->hides_level = menu->hides_level;
+    out->rules = menu->rules;
     out->has_hand = menu->has_hand;
     out->presses = menu->presses;
     out->x = menu->x;

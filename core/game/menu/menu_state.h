@@ -230,11 +230,11 @@ struct menu {
     /* Number of automatic repetitions of the current change of a value while a button or a dipped
      * poi is held, up to 255. */
     uint8_t turn_count;
-    uint32_t turn_tick;  /* Tick at which a value on a settings page last changed. */
-    uint8_t row;         /* Row of the selected controller in the list of controllers. */
-    uint8_t upright;     /* 1 if the last input reported a portrait screen, otherwise 0. */
-    uint8_t hides_level; /* 1 if the menu has no row for the setting SET_LEVEL. */
-    uint8_t file_first;  /* Index of the first file that the file page shows. */
+    uint32_t turn_tick; /* Tick at which a value on a settings page last changed. */
+    uint8_t row;        /* Row of the selected controller in the list of controllers. */
+    uint8_t upright;    /* 1 if the last input reported a portrait screen, otherwise 0. */
+    uint8_t rules;      /* Format whose rules the menu follows, as in struct core_config. */
+    uint8_t file_first; /* Index of the first file that the file page shows. */
     /* Selected leaderboard: the number of the board (ranking_board()) * RANK_PERIOD_COUNT + the
      * period's number. */
     uint8_t board;

@@ -168,8 +168,8 @@ void menu_settings_open(struct menu *menu, const struct game *game, const struct
     if (!is_settings(menu)) {
         return;
     }
-    for (uint32_t tag = menu_body_count(menu->page, menu->hides_level); tag-- > 0;) {
-        const uint32_t id = menu_setting_at(menu->page, menu->hides_level, tag);
+    for (uint32_t tag = menu_body_count(menu->page, menu->rules); tag-- > 0;) {
+        const uint32_t id = menu_setting_at(menu->page, menu->rules, tag);
         if (id < SETTING_COUNT && settings->value[id] != settings_entry(id)->standard) {
             menu->chosen = (uint8_t)tag;
         }
@@ -198,24 +198,24 @@ static void step_setting(const struct menu_scope *scope, uint32_t id)
 uint16_t menu_settings_enabled(const struct menu *menu)
 {
     CORE_ASSERT(menu->page < MENU_PAGE_COUNT);
-    const uint32_t standard = menu_body_count(menu->page, menu->hides_level) + SETTINGS_STANDARD;
-    const uint32_t all = (1u << menu_tag_count(menu->page, menu->hides_level)) - 1u;
+    const uint32_t standard = menu_body_count(menu->page, menu->rules) + SETTINGS_STANDARD;
+    const uint32_t all = (1u << menu_tag_count(menu->page, menu->rules)) - 1u;
     return (uint16_t)(menu->chosen < MENU_TAG_MAX ? all : all & ~(1u << standard));
 }
 
 void menu_settings_activate(const struct menu_scope *scope, uint32_t tag)
 {
     struct menu *menu = scope->menu;
-    CORE_ASSERT(is_settings(menu) && tag < menu_tag_count(menu->page, menu->hides_level));
-    const uint32_t body_count = menu_body_count(menu->page, menu->hides_level);
+    CORE_ASSERT(is_settings(menu) && tag < menu_tag_count(menu->page, menu->rules));
+    const uint32_t body_count = menu_body_count(menu->page, menu->rules);
     if (tag < body_count) {
         menu->turn_count = 0;
         menu->chosen = (uint8_t)tag;
-        step_setting(scope, menu_setting_at(menu->page, menu->hides_level, tag));
+        step_setting(scope, menu_setting_at(menu->page, menu->rules, tag));
     } else if (tag == body_count + SETTINGS_DIRECTION) {
         menu->turns_down = !menu->turns_down;
     } else {
-        const uint32_t id = menu_setting_at(menu->page, menu->hides_level, menu->chosen);
+        const uint32_t id = menu_setting_at(menu->page, menu->rules, menu->chosen);
         settings_edit_set(scope, id, settings_entry(id)->standard);
         menu->turn_tick = scope->game->tick;
     }
@@ -247,7 +247,7 @@ void menu_settings_tick(const struct menu_scope *scope, bool is_pressed)
     menu->turning = menu->turning && is_pressed && tag == menu->chosen;
     if (menu->turning && scope->game->tick - menu->turn_tick >= wait) {
         menu->turn_count = (uint8_t)(menu->turn_count + (menu->turn_count < UINT8_MAX));
-        step_setting(scope, menu_setting_at(menu->page, menu->hides_level, tag));
+        step_setting(scope, menu_setting_at(menu->page, menu->rules, tag));
         output_sound(scope->output, SOUND_TICK, 0.4f, 0.0f);
     }
 }

@@ -79,8 +79,13 @@ const char *ui_words(const struct ui_frame *frame, enum text_key key)
 struct ui_text ui_style(const struct ui_frame *frame, enum font_id font, float size, float align,
                         uint32_t fill, float fit_px)
 {
+    const float scale = font == FONT_BODY ? frame->text_scale : 1.0f;
     return (struct ui_text){
-        .font = font, .size_px = size * frame->unit, .align = align, .fill = fill, .fit_px = fit_px
+        .font = font,
+        .size_px = size * scale * frame->unit,
+        .align = align,
+        .fill = fill,
+        .fit_px = fit_px,
     };
 }
 

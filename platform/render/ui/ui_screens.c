@@ -8,6 +8,8 @@
 #include "core/base/panic.h"
 #include "platform/render/ui/ui_widgets.h"
 
+/* Growth of the common font with each step of the text size. */
+#define TEXT_STEP 0.2f
 /* Width and height, in layout units, of the progress bar in the ribbon of a score playback. */
 #define BAR_WIDTH 360.0f
 #define BAR_HEIGHT 8.0f
@@ -80,6 +82,8 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
         .width = width_px,
         .height = height_px,
         .unit = fminf(height_px / 720.0f, width_px / 860.0f),
+        /* The pages of the menu are full, so that their text keeps its size. */
+        .text_scale = scene->phase == PHASE_MENU ? 1.0f : 1.0f + TEXT_STEP * scene->text_size,
         .time_s = (float)(scene->tick % (3600u * CORE_TICK_HZ)) * CORE_TICK_S,
         .language = scene->language,
     };

@@ -9,7 +9,7 @@
 struct ui_box menu_tag_place(const struct ui_frame *frame, uint32_t tag)
 {
     const struct scene_menu *const menu = &frame->scene->menu;
-    return ui_place(frame, menu_box(menu->upright, menu->page, menu->hides_level, menu->tags, tag));
+    return ui_place(frame, menu_box(menu->upright, menu->page, menu->rules, menu->tags, tag));
 }
 
 void menu_paper(const struct ui_frame *frame, struct ui_box box)
@@ -47,7 +47,7 @@ static void hung_tag(const struct ui_frame *frame, uint32_t tag)
 {
     const float u = frame->unit;
     const struct scene *const scene = frame->scene;
-    const uint8_t page = menu_page_at(scene->menu.page, scene->menu.hides_level, tag);
+    const uint8_t page = menu_page_at(scene->menu.page, scene->menu.rules, tag);
     const struct menu_words *const words = menu_words_of(scene->menu.page);
     const bool is_page = page < MENU_PAGE_COUNT;
     struct ui_box box = menu_tag_place(frame, tag);
@@ -98,12 +98,12 @@ static void draw_menu_tags(const struct ui_frame *frame)
     const struct scene_menu *const menu = &frame->scene->menu;
     const uint8_t body = menu_page_desc_of(menu->page)->body;
     const bool is_hung = body == MENU_BODY_TILES || body == MENU_BODY_PAGES;
-    const uint32_t body_count = menu_body_count(menu->page, menu->hides_level);
+    const uint32_t body_count = menu_body_count(menu->page, menu->rules);
     if (is_hung) {
         poles(frame, body_count);
     }
-    for (uint32_t tag = is_hung ? 0u : body_count;
-         tag < menu_tag_count(menu->page, menu->hides_level); tag++) {
+    for (uint32_t tag = is_hung ? 0u : body_count; tag < menu_tag_count(menu->page, menu->rules);
+         tag++) {
         if (!(menu->tags >> tag & 1u)) {
             continue;
         }

@@ -10,12 +10,12 @@
 
 /* Colour of a value that differs from its default, dark enough to be readable on wood. */
 #define CHANGED_PAINT 0x94140cffu
+#define ARROW_PAINT 0x5a3418ffu /* Colour of the plate of an arrow that changes a value. */
 
-/* Text size of the range on a board, margin at the left and right edge of a board, and width of the
- * value on a board. All three are in canvas units. */
+/* Text size of the range on a board, and margin at the left edge of a board. Both are in canvas
+ * units. */
 #define RANGE_SIZE 22.0f
 #define INSET 22.0f
-#define VALUE_WIDTH 222.0f
 
 /* Positions of the texts on a board, in canvas units from the left edge of the board. The range of
  * the setting is beside the name on a wide screen, and below the name on an upright screen. */
@@ -30,17 +30,17 @@ struct places {
 static const struct places layouts[2] = {
     { .name_size = 28.0f,
       .value_size = 30.0f,
-      .name_width = 312.0f,
-      .range_x = 346.0f,
-      .range_width = 396.0f,
+      .name_width = 290.0f,
+      .range_x = 318.0f,
+      .range_width = 392.0f,
       .help = { 60.0f, 556.0f, 1160.0f, 44.0f },
       .help_lines = 1,
       .saved = { 24.0f, 48.0f, 280.0f, 40.0f } },
     { .name_size = 30.0f,
       .value_size = 34.0f,
-      .name_width = 480.0f,
+      .name_width = 440.0f,
       .range_x = 22.0f,
-      .range_width = 480.0f,
+      .range_width = 440.0f,
       .help = { 27.0f, 1126.0f, 800.0f, 100.0f },
       .help_lines = 3,
       .saved = { 27.0f, 152.0f, 300.0f, 40.0f } },
@@ -117,7 +117,7 @@ void menu_range_words(const struct ui_frame *frame, uint32_t id, char *out, size
         span_words(frame, id, range, sizeof range);
     }
     value_words(frame, id, setting->standard, standard, sizeof standard);
-    snprintf(out, out_size, "%s%s%s %s", range, range[0] ? "    " : "",
+    snprintf(out, out_size, "%s%s%s %s", range, range[0] ? "   " : "",
              ui_words(frame, TEXT_SET_STANDARD), standard);
 }
 
@@ -140,7 +140,30 @@ struct board {
     const char *name, *range, *value;
     uint32_t ink;    /* Colour of the value if the value is the default. */
     bool is_changed; /* True if the value differs from its default. */
+    uint32_t tag;    /* Item of the page to which the board belongs. */
 };
+
+/* Draws the value of a board, and the arrows beside it if the menu offers them. */
+static void draw_value(const struct ui_frame *frame, struct ui_box box, float size,
+                       const struct board *board)
+{
+    const struct scene_menu *const menu = &frame->scene->menu;
+    const struct layout_box row =
+        menu_box(menu->upright, menu->page, menu->rules, menu->tags, board->tag);
+    const struct ui_box arrows[2] = { ui_place(frame, menu_arrow_box(row, true)),
+                                      ui_place(frame, menu_arrow_box(row, false)) };
+    const float left = arrows[0].x + arrows[0].width, middle = box.y + 0.47f * box.height;
+    ui_words_at(frame, 0.5f * (left + arrows[1].x), middle, arrows[1].x - left, 0.5f,
+                sized(frame, box, size, board->is_changed ? CHANGED_PAINT : board->ink),
+                board->value);
+    for (int i = 0; i < 2 && menu_has_arrows(menu->page, menu->rules, board->tag); i++) {
+        const float way = (float)(2 * i - 1) * 26.0f * frame->unit;
+        const struct ui_box at = { arrows[i].x + 3.0f * frame->unit, box.y + 0.08f * box.height,
+                                   arrows[i].width - 6.0f * frame->unit, 0.78f * box.height };
+        ui_panel(frame, UI_PANEL, at, 8.0f * frame->unit, 0.0f, ARROW_PAINT, 0);
+        ui_arrow(frame, arrows[i].x + 0.5f * (arrows[i].width - way), middle, way, 0.0f, UI_CREAM);
+    }
+}
 
 static void draw_board(const struct ui_frame *frame, const struct places *places, struct ui_box box,
                        const struct board *board)
@@ -148,17 +171,13 @@ static void draw_board(const struct ui_frame *frame, const struct places *places
     const float u = frame->unit, middle = box.y + 0.47f * box.height;
     const float name_y = frame->is_upright ? box.y + 0.30f * box.height : middle;
     const float range_y = frame->is_upright ? box.y + 0.70f * box.height : middle;
-    const float right = box.x + box.width - INSET * u;
     ui_words_at(frame, box.x + INSET * u, name_y, places->name_width * u, 0.0f,
                 sized(frame, box, places->name_size, MENU_INK), board->name);
     ui_words_at(frame, box.x + places->range_x * u, range_y, places->range_width * u, 0.0f,
                 sized(frame, box, RANGE_SIZE, MENU_INK_SOFT), board->range);
-    ui_words_at(
-        frame, right, middle, VALUE_WIDTH * u, 1.0f,
-        sized(frame, box, places->value_size, board->is_changed ? CHANGED_PAINT : board->ink),
-        board->value);
+    draw_value(frame, box, places->value_size, board);
     if (board->is_changed) {
-        menu_seal(frame, right - (VALUE_WIDTH + 8.0f) * u, middle);
+        menu_seal(frame, box.x + 0.5f * INSET * u, middle);
     }
 }
 
@@ -191,23 +210,23 @@ static void draw_tag_board(const struct ui_frame *frame, const struct places *pl
         return;
     }
     const struct ui_box box = menu_tag_board(frame, tag);
-    const uint32_t id = menu_setting_at(menu->page, menu->hides_level, tag);
+    const uint32_t id = menu_setting_at(menu->page, menu->rules, tag);
     if (id < SETTING_COUNT) {
         char range[TEXT_LINE_MAX], value[TEXT_LINE_MAX];
         menu_range_words(frame, id, range, sizeof range);
         value_words(frame, id, menu->settings.value[id], value, sizeof value);
-        draw_board(frame, places, box,
-                   &(struct board){ .name = ui_words(frame, menu_setting_words_of(id)->name),
-                                    .range = range,
-                                    .value = value,
-                                    .ink = MENU_INK,
-                                    .is_changed =
-                                        menu->settings.value[id] != settings_entry(id)->standard });
+        draw_board(
+            frame, places, box,
+            &(struct board){ .name = ui_words(frame, menu_setting_words_of(id)->name),
+                             .range = range,
+                             .value = value,
+                             .ink = MENU_INK,
+                             .is_changed = menu->settings.value[id] != settings_entry(id)->standard,
+                             .tag = tag });
     } else {
         ui_words_in(
             frame, box, sized(frame, box, places->name_size, MENU_INK),
-            ui_words(frame,
-                     menu_words_of(menu_page_at(menu->page, menu->hides_level, tag))->title));
+            ui_words(frame, menu_words_of(menu_page_at(menu->page, menu->rules, tag))->title));
     }
 }
 
@@ -215,7 +234,7 @@ void menu_settings(const struct ui_frame *frame)
 {
     const struct scene_menu *const menu = &frame->scene->menu;
     const struct places *const places = &layouts[frame->is_upright];
-    const uint32_t body_count = menu_body_count(menu->page, menu->hides_level);
+    const uint32_t body_count = menu_body_count(menu->page, menu->rules);
     const bool is_row = menu->tag < body_count;
     if (is_row) {
         /* The selected board is drawn first, so that its glow is behind the neighbouring boards. */
@@ -227,8 +246,8 @@ void menu_settings(const struct ui_frame *frame)
         }
     }
     const uint8_t row = is_row ? menu->tag : menu->chosen;
-    const uint32_t id = menu_setting_at(menu->page, menu->hides_level, row);
-    const uint8_t page = menu_page_at(menu->page, menu->hides_level, row);
+    const uint32_t id = menu_setting_at(menu->page, menu->rules, row);
+    const uint8_t page = menu_page_at(menu->page, menu->rules, row);
     char words[2u * TEXT_LINE_MAX] = "", standard[TEXT_LINE_MAX / 2u];
     const char *help = words;
     if (is_row && id < SETTING_COUNT) {
@@ -253,7 +272,7 @@ void menu_bits(const struct ui_frame *frame)
     const uint32_t id = menu_page_desc_of(menu->page)->topic;
     const struct setting_words *const words = menu_setting_words_of(id);
     const char *const states[2] = { ui_words(frame, TEXT_BIT_OFF), ui_words(frame, TEXT_BIT_ON) };
-    for (uint32_t bit = 0; bit < menu_body_count(menu->page, menu->hides_level); bit++) {
+    for (uint32_t bit = 0; bit < menu_body_count(menu->page, menu->rules); bit++) {
         if (!(menu->tags >> bit & 1u)) {
             continue;
         }
@@ -267,7 +286,8 @@ void menu_bits(const struct ui_frame *frame)
                                     .range = range,
                                     .value = states[is_on],
                                     .ink = is_on ? MENU_GOOD : MENU_INK_SOFT,
-                                    .is_changed = is_on != is_standard });
+                                    .is_changed = is_on != is_standard,
+                                    .tag = bit });
     }
     draw_setting_notes(frame, places, ui_words(frame, words->help));
 }

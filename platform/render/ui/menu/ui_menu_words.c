@@ -127,6 +127,15 @@ static const struct setting_words settings[SETTING_COUNT] = {
     [SET_NIGHT_TO_MIN] = { TEXT_SET_NIGHT_TO, TEXT_HELP_NIGHT_TO, .choices = { 0 } },
     [SET_LEVEL] = { TEXT_SET_LEVEL, TEXT_HELP_LEVEL,
                     .choices = { TEXT_LEVEL_NORMAL, TEXT_LEVEL_EASY, TEXT_LEVEL_MASTER } },
+    [SET_DIP] = { TEXT_SET_DIP, TEXT_HELP_DIP,
+                  .choices = { TEXT_OPT_DIP_HOLD, TEXT_OPT_DIP_CLICK } },
+    [SET_REACH] = { TEXT_SET_REACH, TEXT_HELP_REACH, .unit = TEXT_VAL_PER_CENT,
+                    .zero = TEXT_VAL_WHOLE },
+    [SET_SIDE] = { TEXT_SET_SIDE, TEXT_HELP_SIDE,
+                   .choices = { TEXT_OPT_SIDE_DIP, TEXT_OPT_SIDE_RIGHT, TEXT_OPT_SIDE_LEFT } },
+    [SET_TEXT] = { TEXT_SET_TEXT, TEXT_HELP_TEXT,
+                   .choices = { TEXT_OPT_TEXT_NORMAL, TEXT_OPT_TEXT_LARGE,
+                                TEXT_OPT_TEXT_LARGEST } },
 };
 
 const struct menu_words *menu_words_of(uint8_t page)

@@ -119,8 +119,10 @@ static void test_the_right_stick_turns_the_ring(void **state)
 static void test_the_hat_and_the_middle_buttons_are_cabinet_buttons(void **state)
 {
     (void)state;
-    static const uint32_t of_direction[] = { INPUT_OK, INPUT_RIGHT, INPUT_RIGHT, INPUT_RIGHT,
-                                             INPUT_OK, INPUT_LEFT,  INPUT_LEFT,  INPUT_LEFT };
+    static const uint32_t of_direction[] = {
+        INPUT_OK | INPUT_UP,   INPUT_RIGHT, INPUT_RIGHT, INPUT_RIGHT,
+        INPUT_OK | INPUT_DOWN, INPUT_LEFT,  INPUT_LEFT,  INPUT_LEFT
+    };
     rest_dualsense();
     assert_int_equal(pressed(), 0);
     for (uint32_t i = 0; i < 8; i++) {

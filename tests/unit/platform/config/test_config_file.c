@@ -103,6 +103,24 @@ static void test_each_section_accepts_its_own_keys(void **state)
     assert_int_equal(options.is_file, 0);
 }
 
+/* Configuration files from before the menu had rows for dip and reach list them in [devices]. */
+static void test_dip_and_reach_are_read_from_both_of_their_sections(void **state)
+{
+    (void)state;
+    static const char *const sections[] = { "[devices]", "[game]" };
+    for (size_t i = 0; i < sizeof sections / sizeof *sections; i++) {
+        char text[80];
+        snprintf(text, sizeof text, "%s\ndip = click\nreach = 63\n", sections[i]);
+        assert_int_equal(read_text(text), 0);
+        assert_int_equal(warning_count, 0);
+        assert_int_equal(asked(SET_DIP), 1);
+        assert_int_equal(asked(SET_REACH), 63);
+    }
+    read_text("[devices]\nside = left\n");
+    assert_int_equal(warning_count, 1);
+    assert_int_equal(options.file.is_set[SET_SIDE], 0);
+}
+
 static void test_a_file_without_sections_is_read(void **state)
 {
     (void)state;
@@ -349,6 +367,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_control_characters_of_a_file_are_removed_from_warnings),
         cmocka_unit_test(test_each_section_accepts_its_own_keys),
+        cmocka_unit_test(test_dip_and_reach_are_read_from_both_of_their_sections),
         cmocka_unit_test(test_a_file_without_sections_is_read),
         cmocka_unit_test(test_a_key_in_the_wrong_section_is_reported),
         cmocka_unit_test(test_an_unknown_section_is_reported_once_and_skipped),

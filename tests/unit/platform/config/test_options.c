@@ -92,21 +92,24 @@ static void test_the_keyboard_option_enables_or_disables_the_keyboard(void **sta
     assert_int_equal(parse(COUNT(perhaps), perhaps), -1);
 }
 
-static void test_dips_by_click_and_reach_are_options(void **state)
+static void test_dips_by_click_reach_side_and_text_are_options(void **state)
 {
-    static const char *const none[] = { "kingyo" };
-    static const char *const both[] = { "kingyo", "--dip=click", "--reach", "60" };
-    static const char *const tap[] = { "kingyo", "--dip", "tap" };
-    static const char *const far_up[] = { "kingyo", "--reach", "39" };
     (void)state;
-    assert_int_equal(parse(COUNT(none), none), 0);
-    assert_int_equal(options.dips_by_click, 0);
-    assert_int_equal(options.reach_percent, 0);
-    assert_int_equal(parse(COUNT(both), both), 0);
-    assert_int_equal(options.dips_by_click, 1);
-    assert_int_equal(options.reach_percent, 60);
-    assert_int_equal(parse(COUNT(tap), tap), -1);
-    assert_int_equal(parse(COUNT(far_up), far_up), -1);
+    static const char *const all[] = { "kingyo", "--dip", "click",  "--reach", "60",
+                                       "--side", "left",  "--text", "largest" };
+    assert_int_equal(parse(9, all), 0);
+    assert_int_equal(asked(SET_DIP), 1);
+    assert_int_equal(asked(SET_REACH), 60);
+    assert_int_equal(asked(SET_SIDE), BOWL_LEFT);
+    assert_int_equal(asked(SET_TEXT), 2);
+    static const char *const wrong[][2] = { { "--dip", "push" },    { "--reach", "39" },
+                                            { "--reach", "101" },   { "--reach", "0" },
+                                            { "--side", "middle" }, { "--text", "small" } };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        const char *const words[] = { "kingyo", wrong[i][0], wrong[i][1] };
+        assert_int_not_equal(parse(3, words), 0);
+        assert_non_null(strstr(error, wrong[i][0]));
+    }
 }
 
 static void test_repeated_controller_and_line_options_are_appended(void **state)
@@ -439,7 +442,7 @@ int main(void)
         cmocka_unit_test(test_every_option_is_parsed),
         cmocka_unit_test(test_the_poi_option_accepts_each_controller_name),
         cmocka_unit_test(test_the_keyboard_option_enables_or_disables_the_keyboard),
-        cmocka_unit_test(test_dips_by_click_and_reach_are_options),
+        cmocka_unit_test(test_dips_by_click_reach_side_and_text_are_options),
         cmocka_unit_test(test_repeated_controller_and_line_options_are_appended),
         cmocka_unit_test(test_too_many_controllers_or_lines_are_an_error),
         cmocka_unit_test(test_a_wrong_gpio_line_is_reported_with_its_error),

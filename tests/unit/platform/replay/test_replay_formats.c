@@ -5,7 +5,9 @@
  * paid round after a power cut. A player wins tickets, and the next round is refunded because the
  * controller is lost. tests/replay/format-8.replay starts without a store and with tickets that are
  * still due. A visitor chooses a language, pays and wins a ticket. The next round is refunded
- * because the controller is lost. */
+ * because the controller is lost. tests/replay/format-9.replay visits the operator's menu: LEFT and
+ * RIGHT move the highlight, and a poi changes values. Then a poi appears over a tag of the mode
+ * selection and dips in the left half of the tank. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,6 +20,7 @@
 
 #define FORMAT_7 "tests/replay/format-7.replay"
 #define FORMAT_8 "tests/replay/format-8.replay"
+#define FORMAT_9 "tests/replay/format-9.replay"
 
 static struct replayer replayer;
 static struct core core;
@@ -71,6 +74,19 @@ static void test_a_format_8_recording_reproduces_its_hashes(void **state)
     assert_int_equal(core.game.accounts.audits.count[AUDIT_REFUNDS], 1);
 }
 
+static void test_a_format_9_recording_reproduces_its_hashes(void **state)
+{
+    (void)state;
+    begin(FORMAT_9);
+    assert_int_equal(replayer.reader.header.version, 9);
+    play();
+    assert_false(replayer.damaged);
+    assert_false(replayer.difference.found);
+    assert_int_equal(replayer.totals.ticks, 4073);
+    assert_int_equal(core.config.persistent.settings.value[SET_ROUND_S], 150);
+    assert_int_equal(core.config.persistent.settings.value[SET_LEVEL], LEVEL_CHOICE_EASY);
+}
+
 /* A recording that is replayed under the rules of another format must show a difference. */
 static void test_an_older_recording_differs_under_the_rules_of_another_format(void **state)
 {
@@ -78,7 +94,9 @@ static void test_an_older_recording_differs_under_the_rules_of_another_format(vo
     static const struct {
         const char *path;
         uint8_t rules;
-    } wrong[] = { { FORMAT_7, 0 }, { FORMAT_7, 8 }, { FORMAT_8, 0 }, { FORMAT_8, 7 } };
+    } wrong[] = {
+        { FORMAT_7, 0 }, { FORMAT_7, 8 }, { FORMAT_8, 0 }, { FORMAT_8, 7 }, { FORMAT_9, 0 }
+    };
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         begin(wrong[i].path);
         core.config.rules = wrong[i].rules;
@@ -93,6 +111,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_format_7_recording_reproduces_its_hashes),
         cmocka_unit_test(test_a_format_8_recording_reproduces_its_hashes),
+        cmocka_unit_test(test_a_format_9_recording_reproduces_its_hashes),
         cmocka_unit_test(test_an_older_recording_differs_under_the_rules_of_another_format),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

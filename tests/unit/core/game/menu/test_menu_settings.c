@@ -122,14 +122,14 @@ static void test_the_level_of_the_menu_is_the_level_of_the_next_round(void **sta
     }
 }
 
-/* The menu of recordings older than format 9 has no row for the level. Their button presses fit
- * only this menu. */
-static void test_under_the_rules_of_format_8_the_menu_has_no_row_for_the_level(void **state)
+/* The menu of older recordings lacks the rows of newer settings. Before format 10, LEFT moves the
+ * highlight on every page. The button presses of a recording fit only the menu of its format. */
+static void test_the_menu_of_an_older_format_lacks_the_rows_of_newer_settings(void **state)
 {
     (void)state;
     static const struct {
         uint8_t rules, body_count;
-    } menus[] = { { 0, 8 }, { 8, 7 } };
+    } menus[] = { { 0, 11 }, { 9, 8 }, { 8, 7 } };
     for (size_t i = 0; i < sizeof menus / sizeof *menus; i++) {
         go_back(); /* Closes the menu. */
         core.config.rules = menus[i].rules;
@@ -142,7 +142,7 @@ static void test_under_the_rules_of_format_8_the_menu_has_no_row_for_the_level(v
         push(INPUT_TEST);
         assert_int_equal(menu()->page, MENU_MODES);
         go_back();
-        push(INPUT_LEFT);
+        push(menus[i].rules == 0 ? INPUT_UP : INPUT_LEFT);
         assert_int_equal(menu()->tag[MENU_GAME], menus[i].body_count + SETTINGS_FEET - 1u);
         push(INPUT_TEST);
         assert_int_equal(menu()->page, MENU_TOP);
@@ -204,8 +204,11 @@ static void test_every_setting_reaches_every_value_of_its_range(void **state)
 {
     (void)state;
     const struct menu_scope scope = menu_scope_of(&core.game, &core.config, &output);
-    for (uint32_t id = 0; id < SET_CALIBRATION; id++) {
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
         const struct setting *setting = settings_entry(id);
+        if (setting->group == GROUP_CALIBRATION) {
+            continue;
+        }
         uint32_t allowed = 0, met = 0;
         for (int32_t v = setting->min; v <= settings_edit_max(&core.config, id); v++) {
             allowed += settings_allows(id, v) != 0;
@@ -228,16 +231,17 @@ static void test_every_setting_reaches_every_value_of_its_range(void **state)
 static void test_every_setting_is_on_exactly_one_page(void **state)
 {
     (void)state;
-    for (uint32_t id = 0; id < SET_CALIBRATION; id++) {
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        const bool is_hidden = id == SET_PIN || settings_entry(id)->group == GROUP_CALIBRATION;
         uint32_t rows = 0;
         for (uint8_t page = 0; page < MENU_PAGE_COUNT; page++) {
             for (uint32_t tag = 0; tag < menu_body_count(page, false); tag++) {
                 rows += menu_setting_at(page, false, tag) == id;
             }
         }
-        /* Each setting must have one row on one page. Only the PIN has no row, because it is
-         * entered as digits. */
-        assert_int_equal(rows, id == SET_PIN ? 0 : 1);
+        /* Each setting must have one row on one page. The PIN has no row, because it is entered as
+         * digits, and the calibration has a page of its own. */
+        assert_int_equal(rows, is_hidden ? 0 : 1);
     }
 }
 
@@ -264,21 +268,110 @@ static void test_a_held_button_repeats_fast_and_stops_at_the_end(void **state)
     assert_int_equal(value(SET_FISH), 0);
 }
 
+/* LEFT and RIGHT change the value directly, in both directions. UP, DOWN and SERVICE choose the
+ * row. A keyboard or a direction pad reports OK together with UP and DOWN. */
+static void test_left_lowers_and_right_raises_the_highlighted_value(void **state)
+{
+    (void)state;
+    const uint32_t first = row_of(MENU_SOUND, SET_VOLUME);
+    go_to(MENU_SOUND);
+    static const struct {
+        uint32_t button;
+        int32_t volume;
+    } pushes[] = { { INPUT_RIGHT, 85 },
+                   { INPUT_LEFT, 80 },
+                   { INPUT_LEFT, 75 },
+                   { INPUT_LEFT, 70 },
+                   { INPUT_RIGHT, 75 } };
+    for (size_t i = 0; i < sizeof pushes / sizeof *pushes; i++) {
+        push(pushes[i].button);
+        assert_int_equal(value(SET_VOLUME), pushes[i].volume);
+        assert_int_equal(menu()->tag[MENU_SOUND], first);
+    }
+    push(INPUT_DOWN | INPUT_OK);
+    assert_int_equal(menu()->tag[MENU_SOUND], first + 1u);
+    push(INPUT_UP | INPUT_OK);
+    assert_int_equal(menu()->tag[MENU_SOUND], first);
+    assert_int_equal(value(SET_VOLUME), 75);
+    /* At the foot of the page, LEFT and RIGHT move the highlight as on other pages. */
+    point_at(foot(SETTINGS_STANDARD));
+    push(INPUT_RIGHT);
+    assert_int_equal(menu()->tag[MENU_SOUND], foot(SETTINGS_BACK));
+    push(INPUT_LEFT);
+    push(INPUT_LEFT);
+    assert_int_equal(menu()->tag[MENU_SOUND], foot(SETTINGS_DIRECTION));
+}
+
+static void test_a_held_left_repeats_down_to_the_smallest_value(void **state)
+{
+    (void)state;
+    go_to(MENU_SOUND);
+    input.held = INPUT_LEFT;
+    press(INPUT_LEFT);
+    assert_int_equal(value(SET_VOLUME), 75);
+    steps(CORE_TICK_HZ);
+    assert_in_range(value(SET_VOLUME), 45, 65);
+    steps(HELD_S * CORE_TICK_HZ);
+    assert_int_equal(value(SET_VOLUME), 0);
+}
+
+/* Holds the poi above the middle of a box of the canvas. */
+static void hold_over(struct layout_box box)
+{
+    const struct layout_point canvas = pointer_layout_size(0);
+    const vec3 tank_m = core.world.tank.size_m;
+    input.poi[0] = (struct poi_input){
+        .link = POI_SOURCE_LIVE,
+        .has_wrist = 1,
+        .target.position_m = { tank_m.x * ((box.x + 0.5f * box.width) / canvas.x - 0.5f), ABOVE_M,
+                               tank_m.z * ((box.y + 0.5f * box.height) / canvas.y - 0.5f) },
+    };
+    steps(MENU_TAKE_TICKS);
+}
+
+static void dip_there(void)
+{
+    input.poi[0].target.position_m.y = BELOW_M;
+    step();
+    input.poi[0].target.position_m.y = ABOVE_M;
+    steps(MENU_TAKE_TICKS);
+}
+
+static void test_a_dip_on_an_arrow_changes_the_value_in_its_direction(void **state)
+{
+    (void)state;
+    static const uint8_t pages[SETTING_GROUP_COUNT] = { [GROUP_MONEY] = MENU_MONEY,
+                                                        [GROUP_GAME] = MENU_GAME,
+                                                        [GROUP_SOUND] = MENU_SOUND,
+                                                        [GROUP_PICTURE] = MENU_PICTURE };
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        const struct setting *setting = settings_entry(id);
+        const uint8_t page = pages[setting->group];
+        if (page == MENU_TOP || setting->kind == KIND_BITS) {
+            continue;
+        }
+        go_to(page);
+        const uint32_t tag = row_of(page, id);
+        assert_true(menu_has_arrows(page, 0, tag));
+        const struct layout_box row = menu_box(0, page, 0, menu_enabled(menu()), tag);
+        const int32_t before = value(id);
+        hold_over(menu_arrow_box(row, false));
+        dip_there();
+        assert_int_not_equal(value(id), before);
+        hold_over(menu_arrow_box(row, true));
+        dip_there();
+        assert_int_equal(value(id), before);
+        input.poi[0] = (struct poi_input){ 0 };
+        step();
+        go_back();
+    }
+}
+
 static void test_a_poi_under_water_repeats_the_change(void **state)
 {
     (void)state;
     go_to(MENU_SOUND);
-    const struct layout_box box =
-        menu_box(0, MENU_SOUND, false, menu_enabled(menu()), row_of(MENU_SOUND, SET_VOLUME));
-    const struct layout_point canvas = pointer_layout_size(0);
-    input.poi[0] = (struct poi_input){
-        .link = POI_SOURCE_LIVE,
-        .has_wrist = 1,
-        .target.position_m = { core.world.tank.size_m.x * ((box.x + 99.0f) / canvas.x - 0.5f),
-                               ABOVE_M,
-                               core.world.tank.size_m.z * ((box.y + 9.0f) / canvas.y - 0.5f) },
-    };
-    steps(MENU_TAKE_TICKS);
+    hold_over(menu_box(0, MENU_SOUND, 0, menu_enabled(menu()), row_of(MENU_SOUND, SET_VOLUME)));
     input.poi[0].target.position_m.y = BELOW_M;
     step();
     assert_int_equal(value(SET_VOLUME), 85);
@@ -664,13 +757,16 @@ int main(void)
     const struct CMUnitTest tests[] = {
         IN_MENU(test_an_activation_increments_a_value_and_wraps_around),
         IN_MENU(test_the_level_of_the_menu_is_the_level_of_the_next_round),
-        IN_MENU(test_under_the_rules_of_format_8_the_menu_has_no_row_for_the_level),
+        IN_MENU(test_the_menu_of_an_older_format_lacks_the_rows_of_newer_settings),
         IN_MENU(test_the_footer_decrements_a_value_and_restores_the_default),
         IN_MENU(test_a_setting_changed_elsewhere_enables_its_default),
         IN_MENU(test_an_unchanged_setting_is_not_shown_as_saved),
         IN_MENU(test_every_setting_reaches_every_value_of_its_range),
         IN_MENU(test_every_setting_is_on_exactly_one_page),
         IN_MENU(test_a_held_button_repeats_fast_and_stops_at_the_end),
+        IN_MENU(test_left_lowers_and_right_raises_the_highlighted_value),
+        IN_MENU(test_a_held_left_repeats_down_to_the_smallest_value),
+        IN_MENU(test_a_dip_on_an_arrow_changes_the_value_in_its_direction),
         IN_MENU(test_a_poi_under_water_repeats_the_change),
         IN_MENU(test_at_least_one_mode_stays_enabled),
         IN_MENU(test_fish_count_players_and_language_apply_at_the_next_attract),

@@ -444,12 +444,12 @@ static void test_a_setting_shows_its_range_and_unit(void **state)
 {
     (void)state;
     set_page(MENU_MONEY, 0x7ffu, LANGUAGE_EN, 0);
-    expect_range(SET_PLAY, "free / paid / event    default free");
-    expect_range(SET_CREDIT_EXPIRY_MIN, "5 - 240 min    default never");
-    expect_range(SET_NIGHT_TO_MIN, "00:00 - 23:45    default 00:00");
-    expect_range(SET_GRADE, "No. 4 - 7    default the mode's own");
-    expect_range(SET_OVERSCAN_X, "0.0 - 10.0 %    default 0.0 %");
-    expect_range(SET_ATTRACT_SOUND, "silent / 1 - 10    default every loop");
+    expect_range(SET_PLAY, "free / paid / event   default free");
+    expect_range(SET_CREDIT_EXPIRY_MIN, "5 - 240 min   default never");
+    expect_range(SET_NIGHT_TO_MIN, "00:00 - 23:45   default 00:00");
+    expect_range(SET_GRADE, "No. 4 - 7   default the mode's own");
+    expect_range(SET_OVERSCAN_X, "0.0 - 10.0 %   default 0.0 %");
+    expect_range(SET_ATTRACT_SOUND, "silent / 1 - 10   default every loop");
 }
 
 static uint32_t quads_of(uint8_t page)
