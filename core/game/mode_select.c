@@ -121,6 +121,9 @@ static void point_by_pois(struct game *game, const struct world *world,
         if (!world->bowl[i].present || world->poi[i].link != POI_SOURCE_LIVE) {
             player->points = 0;
             player->has_hand = 0;
+            /* A poi that appears during the selection was brought to its place, like a finger that
+             * touches a tag. It counts as moved. */
+            player->stance = config_has_rules(config, 10) ? (uint8_t)STANCE_MOVED : player->stance;
             continue;
         }
         const vec3 hand_m = game->control[i].validation.newest.position_m;

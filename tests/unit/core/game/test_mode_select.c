@@ -164,6 +164,23 @@ static void test_a_dip_chooses_the_tag_under_it(void **state)
     }
 }
 
+/* A finger that first touches the screen on a tag means that tag. */
+static void test_a_poi_that_appears_over_a_tag_has_moved_to_it(void **state)
+{
+    (void)state;
+    static const uint8_t rules[] = { 0, 9 };
+    for (size_t i = 0; i < sizeof rules; i++) {
+        offer_levels(LEVEL_NORMAL, 1);
+        core.config.rules = rules[i];
+        choose();
+        hold(0, above_tag(0));
+        ticks(60);
+        lead(0, v3_add(input.poi[0].target.position_m, v3(0.0f, BELOW_M - ABOVE_M, 0.0f)));
+        assert_int_equal(core.game.phase, PHASE_READY);
+        assert_int_equal(core.game.player[0].level, rules[i] == 0 ? LEVEL_EASY : LEVEL_NORMAL);
+    }
+}
+
 static void test_start_or_a_dip_at_once_begins_the_festival_at_the_configured_level(void **state)
 {
     (void)state;
@@ -483,6 +500,7 @@ int main(void)
         TEST(test_under_the_rules_of_format_8_a_poi_selects_the_mode_of_its_section),
         TEST(test_a_moved_poi_selects_the_tag_below_it),
         TEST(test_a_dip_chooses_the_tag_under_it),
+        TEST(test_a_poi_that_appears_over_a_tag_has_moved_to_it),
         TEST(test_start_or_a_dip_at_once_begins_the_festival_at_the_configured_level),
         TEST(test_the_fish_follow_the_easiest_level_of_the_players_with_a_poi),
         TEST(test_each_player_has_the_level_that_the_player_selected_last),
