@@ -25,7 +25,7 @@ void attract_begin(struct game *game, struct world *world, const struct core_con
         game->player[i].level = LEVEL_MASTER;
     }
     session_language_reset(game, config);
-    table_setup_choose_side(game, world, config, 0.0f);
+    game->bowl_is_left = table_setup_bowl_is_left(world, config, 0.0f);
     game_enter_phase(game, PHASE_ATTRACT);
     table_setup_empty_bowls(world);
     table_setup_prepare(game->control, game, world, config, config->preset);
@@ -39,10 +39,16 @@ void attract_tick(struct game *game, struct world *world, struct core_config *co
     CORE_ASSERT(game->phase == PHASE_ATTRACT);
     const uint32_t dipped = controller_dipped_player(game, world, input);
     if (dipped < POI_MAX) {
-        table_setup_choose_side(game, world, config, input->poi[dipped].target.position_m.x);
+        game->bowl_is_left =
+            table_setup_bowl_is_left(world, config, input->poi[dipped].target.position_m.x);
     }
-    if ((input->pressed & INPUT_START) || dipped < POI_MAX ||
-        credit_is_awaited(&game->accounts, config, game->tick)) {
+    /* The picture fades to dark after the last game of a session, and no further game may start in
+     * this session. */
+    const bool fades =
+        game->tick - game->phase_tick < SESSION_FADE_TICKS && session_must_end(game, config);
+    const bool is_start = (input->pressed & INPUT_START) || dipped < POI_MAX ||
+                          credit_is_awaited(&game->accounts, config, game->tick);
+    if (is_start && !fades) {
         game_mode_select_begin(game, world, config, output);
     }
     if (game->phase != PHASE_ATTRACT) {

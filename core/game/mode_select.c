@@ -184,6 +184,13 @@ static void reset_pointers(struct player players[POI_MAX], const struct core_con
 void game_mode_select_begin(struct game *game, struct world *world,
                             const struct core_config *config, struct output *output)
 {
+    const bool plays_again = game->phase != PHASE_ATTRACT;
+    if (plays_again && session_must_end(game, config) &&
+        credit_can_play(&game->accounts.ledger, config)) {
+        game->accounts.credit.await_tick = game->tick; /* The new session then calls again. */
+        attract_begin(game, world, config);
+        return;
+    }
     const bool is_choice = count_bits(table_setup_modes(config)) > 1u;
     if (!is_choice) {
         activate_mode(game, world, config, output);
@@ -193,8 +200,7 @@ void game_mode_select_begin(struct game *game, struct world *world,
         credit_request(&game->accounts, game->tick, output);
         return;
     }
-    const bool plays_again = game->phase != PHASE_ATTRACT && rules_of(game->mode)->has_levels;
-    reset_pointers(game->player, config, plays_again);
+    reset_pointers(game->player, config, plays_again && rules_of(game->mode)->has_levels);
     game_enter_phase(game, PHASE_MODE_SELECT);
     game->point_tick = game->tick;
     game->lab_chosen = (table_setup_modes(config) >> game->mode & 1u) == 0;

@@ -51,7 +51,9 @@ uint32_t game_mode_select_tag(const struct game *game, uint32_t player);
 uint32_t game_mode_select_lead(const struct world *world);
 
 /* Handles a request to play. Without a credit the state stays unchanged. If players can choose
- * between several modes, the mode selection starts; otherwise READY starts immediately. */
+ * between several modes, the mode selection starts; otherwise READY starts immediately. If the
+ * request comes before attract mode and the session must end, attract mode starts instead, and the
+ * request is repeated in the new session. */
 void game_mode_select_begin(struct game *game, struct world *world,
                             const struct core_config *config, struct output *output);
 
@@ -205,9 +207,13 @@ bool health_log_final(const struct accounts *accounts, const struct health_log *
  * graphs and the tick number continue.
  *
  * The configuration and the inputs since the session's start reproduce any round of the session.
- * Games that follow each other without attract mode belong to one session. The first of these games
- * leaves attract mode at most ten minutes after the session's start. The player sees a short fade
- * to dark when a session starts. */
+ * Games that follow each other without attract mode belong to one session. The last of these games
+ * starts at most ten minutes after the session's start, so that a session lasts for at most ten
+ * minutes and a game. The player sees a short fade to dark when a session starts. */
+
+/* Returns true if the session has lasted for SESSION_TICKS_MAX, so that no further game may start
+ * in it. Always false in recordings of format 9 and older. */
+bool session_must_end(const struct game *game, const struct core_config *config);
 
 /* Requests a new session, which means that the core reinitializes itself from its configuration.
  * The session starts when the picture has faded to dark, if attract mode is still active at that

@@ -16,6 +16,12 @@ void session_request(struct game *game)
     }
 }
 
+bool session_must_end(const struct game *game, const struct core_config *config)
+{
+    CORE_ASSERT(game->tick >= config->session.tick);
+    return config_has_rules(config, 10) && game->tick - config->session.tick >= SESSION_TICKS_MAX;
+}
+
 /* Returns true if the session ends in this tick. The caller has already incremented
  * `game->tick`. */
 bool session_is_over(const struct game *game)

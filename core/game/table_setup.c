@@ -144,14 +144,14 @@ void table_setup_prepare(struct control control[POI_MAX], const struct game *gam
 
 /* ---- Side of the bowl ------------------------------------------------------------------------ */
 
-void table_setup_choose_side(struct game *game, const struct world *world,
-                             const struct core_config *config, float dip_x_m)
+bool table_setup_bowl_is_left(const struct world *world, const struct core_config *config,
+                              float dip_x_m)
 {
     const int32_t side = config->persistent.settings.value[SET_SIDE];
     CORE_ASSERT(side >= 0 && side < BOWL_SIDE_COUNT);
     const bool is_left_dip = dip_x_m < -world->tank.size_m.x / 6.0f;
     const bool is_left = side == BOWL_LEFT || (side == BOWL_BY_FIRST_DIP && is_left_dip);
-    game->bowl_is_left = is_left && config_has_rules(config, 10);
+    return is_left && config_has_rules(config, 10);
 }
 
 void table_setup_moor_bowl(const struct game *game, struct world *world,

@@ -47,8 +47,8 @@
 #define REPLAY_CATALOG_MAX (32u * 1024u)
 
 /* Format version that the writer writes. Version 8 added the rules of tickets and refunds,
- * version 9 the levels and the presents, and version 10 the side of the bowl and the settings for
- * the bodies of the players. */
+ * version 9 the levels and the presents, and version 10 the side of the bowl, the settings for
+ * the bodies of the players, and the end of a session between two games. */
 #define REPLAY_VERSION 10u
 /* Oldest format version that the reader accepts. A recording of an older version is simulated under
  * the rules of that version (config_has_rules() in core/config.h). Versions below 7 are rejected

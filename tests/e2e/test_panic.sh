@@ -100,4 +100,10 @@ panics() { od -An -tu4 -j8 -N4 "$data/panics" | tr -d ' '; }
 kill "$kiosk_pid" && end_of_kiosk 20
 [ "$code" -eq 0 ] && [ "$(panics)" -eq 6 ]
 ok $? 'a normal end is not counted as a panic' "$work/err"
+# A page for a PIN ends the recording, so the log must give the tick at which the file ends.
+data=$work/pin
+opens --keyboard on --set pin=1234 && xdotool key F2 && sleep 1.5 && kill -SEGV "$kiosk_pid" && end_of_kiosk 20 2>"$work/said"
+ended=$(said_tick) came=$(sed -n 's/.*panic: SIGSEGV: .*; the panic came in tick \([0-9]*\)$/\1/p' "$work/err")
+"$ctl" replay verify "$data/panic-0.kgr" >"$work/said" && grep -q ": true: $ended ticks" "$work/said" && [ "$came" -gt "$ended" ]
+ok $? 'the log gives the tick at which a page for a PIN ended the replay' "$work/err"
 done_testing

@@ -63,6 +63,7 @@ FEATURE_LINES = {
     'a click to dip, the reach of pointers, and a number on each handle': 69,
     'the fall of a present into its bowl': 14,
     'a signal stack for the audio thread of SDL': 7,
+    'the end of a session between two games, and the tick at which a file of a panic ends': 31,
     'a bound for the rewritten part of the write-ahead log': 24,
 }
 

@@ -166,19 +166,27 @@ static int write_replay(const struct evidence *evidence, const char *name, bool 
     return error;
 }
 
-static void evidence_log_error(const struct evidence *evidence, const char *reason,
-                               const char *name, int error)
+/* Logs the panic, its reason, and the result of writing the replay `name`. `is_sound` is the value
+ * that session_recorder_freeze() returned. */
+static void log_evidence(const struct evidence *evidence, const char *reason, const char *name,
+                         int error, bool is_sound)
 {
     struct panic_text text = { 0 };
     panic_put(&text, "panic: ");
     panic_put(&text, reason);
     if (!error) {
+        const uint32_t tick = core_status(evidence->core).tick;
+        const uint32_t end_tick = session_recorder_end_tick(evidence->sessions, tick, is_sound);
         panic_put(&text, ": the game before tick ");
-        panic_put_number(&text, core_status(evidence->core).tick);
+        panic_put_number(&text, end_tick);
         panic_put(&text, " is in ");
         panic_put(&text, evidence->data);
         panic_put(&text, "/");
         panic_put(&text, name);
+        if (end_tick < tick) {
+            panic_put(&text, "; the panic came in tick ");
+            panic_put_number(&text, tick);
+        }
     } else if (error == -ENODATA) {
         panic_put(&text, ": no game was recorded");
     } else {
@@ -215,6 +223,6 @@ bool panic_evidence_write(struct evidence *evidence, const char *reason)
         panics_write(panics, evidence->folder - 1);
         error = write_replay(evidence, name, is_sound);
     }
-    evidence_log_error(evidence, reason, name, error);
+    log_evidence(evidence, reason, name, error, is_sound);
     return is_sound;
 }

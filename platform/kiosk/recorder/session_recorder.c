@@ -132,6 +132,14 @@ bool session_recorder_has_begun(const struct session_recorder *sessions)
     return sessions->writer.offset > 0;
 }
 
+uint32_t session_recorder_end_tick(const struct session_recorder *sessions, uint32_t tick,
+                                   bool is_sound)
+{
+    return is_sound && replay_is_open(&sessions->writer)
+               ? tick
+               : sessions->start.session.tick + sessions->writer.saved.ticks;
+}
+
 int session_recorder_dump(struct session_recorder *sessions, const struct core *core, bool is_sound,
                           int fd)
 {

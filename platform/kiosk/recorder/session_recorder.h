@@ -30,8 +30,8 @@
 
 /* Memory for a recording in bytes. Ten minutes in which every field of every input changes in each
  * tick take 16 MiB. Four six-axis controllers write 13 KB per second, so that the memory is enough
- * for twenty minutes: attract mode and the longest round with its pauses. Pages that no session has
- * reached use no physical memory. */
+ * for twenty minutes. A session lasts for at most ten minutes and a game (core/game/phases.h).
+ * Pages that no session has reached use no physical memory. */
 #define SESSION_RECORDER_MEMORY (17u * 1024u * 1024u)
 /* Maximum size of one recorded second in bytes. */
 #define SESSION_RECORDER_SECOND_MAX (REPLAY_CHUNK_HEAD_SIZE + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE)
@@ -110,6 +110,12 @@ bool session_recorder_freeze(struct session_recorder *sessions, bool is_own);
 
 /* Returns true if there is a session to write. */
 bool session_recorder_has_begun(const struct session_recorder *sessions);
+
+/* Returns the tick before which session_recorder_dump() ends. This is `tick`, the core's tick, if
+ * the recording still runs. It is less after a page for a PIN, after the memory became full, and if
+ * a change of the recording was interrupted (`is_sound` is false). */
+uint32_t session_recorder_end_tick(const struct session_recorder *sessions, uint32_t tick,
+                                   bool is_sound);
 
 /* Writes the session to the descriptor `fd`. session_recorder_freeze() must be called first, and
  * `is_sound` is the value that it returned. An interrupted tick is written with its input and

@@ -209,10 +209,55 @@ static void test_a_player_prevents_the_session_change(void **state)
     assert_int_equal(run_to_session(&input, SESSION_TICKS_MAX), SESSION_FADE_TICKS - 1u);
 }
 
+/* Plays games, each started by START on the result screen of the previous game, until a session
+ * ends or `game_max` games have been played. Returns the number of ticks. */
+static uint32_t play_games(uint32_t game_max)
+{
+    struct input input = { .poi[0].link = POI_SOURCE_BOT };
+    uint32_t ticks = 0, games = 0;
+    bool was_result = false;
+    do {
+        const bool is_result = core.game.phase == PHASE_RESULT;
+        games += is_result && !was_result;
+        was_result = is_result;
+        input.pressed = ticks % CORE_TICK_HZ == 0 ? INPUT_START : 0u;
+        tick(&core, &input, &output);
+        ticks++;
+    } while (!core_is_fresh(&core) && games < game_max);
+    return ticks;
+}
+
+/* Without an end between two games, a queue of visitors would make one session of an evening, and
+ * the memory for the recording would not hold its last minutes. */
+static void test_games_without_attract_mode_end_the_session_after_ten_minutes(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 3, .fish_count = 12, .round_s = 30 };
+    const struct input input = { .poi[0].link = POI_SOURCE_BOT };
+    begin(&config);
+    assert_in_range(play_games(UINT32_MAX), SESSION_TICKS_MAX,
+                    SESSION_TICKS_MAX + 60u * CORE_TICK_HZ);
+    /* The visitor pressed START, so the next game begins by itself. */
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    tick(&core, &input, &output);
+    assert_int_not_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_recordings_of_format_9_keep_their_long_session(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 3, .fish_count = 12, .round_s = 30, .rules = 9 };
+    begin(&config);
+    assert_in_range(play_games(30), SESSION_TICKS_MAX + 120u * CORE_TICK_HZ, UINT32_MAX);
+    assert_false(core_is_fresh(&core));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ten_minutes_of_attract_are_a_session),
+        cmocka_unit_test(test_games_without_attract_mode_end_the_session_after_ten_minutes),
+        cmocka_unit_test(test_recordings_of_format_9_keep_their_long_session),
         cmocka_unit_test(test_a_session_depends_only_on_its_configuration_and_inputs),
         cmocka_unit_test(test_a_recently_chosen_language_survives_the_session),
         cmocka_unit_test(test_a_new_session_keeps_credits_and_settings),
