@@ -64,13 +64,14 @@ enum controller_command_kind {
     /* Detach the controller from its present driver and use the controller as a poi. */
     COMMAND_CHOOSE,
     COMMAND_RELEASE, /* Return the controller to its driver and delete the learned mapping. */
-    /* Start the learn wizard. The controller is attached to Kingyo while the wizard runs. */
+    /* Start the learn wizard, which records a mapping from the controller's reports to the pose of
+     * a poi. A controller that is not used as a poi yet is first taken as with COMMAND_CHOOSE. */
     COMMAND_LEARN,
     COMMAND_LEARN_NEXT, /* The operator has performed the current step of the wizard. */
     /* Save the learned mapping for the controller's vendor, product and serial number. */
     COMMAND_LEARN_KEEP,
-    /* Discard the learned mapping. The controller returns to its previous driver if it was not
-     * attached before the wizard. */
+    /* Discard the learned mapping. The controller returns to its previous driver if it was not used
+     * as a poi before the wizard. */
     COMMAND_LEARN_END,
     COMMAND_RESTART, /* Restart the kiosk; applies to no controller. */
     COMMAND_REPLAY,  /* Show the replay of round `round_id`; applies to no controller. */

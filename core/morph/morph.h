@@ -53,8 +53,9 @@ float life_age_days(const struct species_card *card, float progress);
  * (`scale_knots`), the length is interpolated logarithmically between its knots. Otherwise the
  * length follows the growth curve. */
 float life_length_m(const struct species_card *card, float progress);
-/* Returns the earliest progress at which a fish has the length `length_m`. If the fish has this
- * length at no progress, returns 1 if `length_m` is longer than the youngest key, otherwise 0. */
+/* Returns the lowest progress in [0, 1] at which a fish has the length `length_m`. If the fish
+ * never has this length, returns 0 for a length below the length at progress 0, and 1 for any
+ * greater length. */
 float morph_progress(const struct species_card *card, float length_m);
 
 /* Faults of a deformation graph (graph.c), which gives the weight of each key as a fish grows. */

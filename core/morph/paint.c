@@ -29,11 +29,12 @@ static vec3 rgb(uint32_t colour)
               (float)(colour & 255u) * scale);
 }
 
-/* Returns the paint of a coat without marks.
+/* Returns the paint of the point `at` of a coat without marks.
  *
- * The pupil of an eye is black, the iris is darker toward its edge, and the lining behind the
- * visible edge is black. The lining is visible where a larva's eye protrudes, and through the
- * larva's transparent head. */
+ * The paint of an eyeball has three zones. The pupil is black. The iris around the pupil becomes
+ * darker toward its outer edge. The rest of the eyeball, behind the outer edge of the iris, is
+ * almost black. The rest is visible if the eye of a larva protrudes, and through the transparent
+ * head of a larva. */
 static struct paint bare_paint(const struct species_coat *coat, const struct mark_point *at)
 {
     const float clear = (float)coat->clear / 255.0f;

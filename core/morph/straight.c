@@ -36,8 +36,8 @@ static void straighten_mesh(const struct species_mesh *from, uint32_t key_count,
 {
     CORE_ASSERT(lod < SPECIES_LOD_COUNT && from->vertex_count <= MESH_VERTEX_MAX);
     /* `reach` is the largest coordinate that the 16-bit integers of struct species_point can store.
-     * The loop doubles `reach` until it is at least the largest coordinate of all keys in the body
-     * frame, or REACH_MAX. */
+     * The loop doubles `reach` until every coordinate of every key in the body frame fits, but not
+     * beyond REACH_MAX. */
     float reach = from->reach;
     for (uint32_t key = 0; key < key_count && from->anchor_count > 0; key++) {
         morph_key_pose(from, key_count, key, &memory->pose);

@@ -91,8 +91,8 @@ uint64_t gpio_debounce_due_ns(const struct debounce *debounce);
  * show that an edge was missed. Each time is taken just before the poll. UINT64_MAX means that
  * there was no such poll. */
 struct gpio_poll_edges {
-    /* Times of the first (`since_ns`) and of the last poll (`last_ns`) that did not read the level
-     * after the last edge. */
+    /* Times of the first poll (`since_ns`) and of the last poll (`last_ns`) that read a level other
+     * than the level after the last edge. */
     uint64_t since_ns, last_ns;
     /* Time of the first poll after `last_ns` whose level equals the level after the last edge. */
     uint64_t back_ns;

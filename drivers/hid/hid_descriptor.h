@@ -17,13 +17,14 @@
 #define HID_DESCRIPTOR_SIZE_MAX 65535u
 /* Largest number of Input items. The largest of 72 examined devices has 209. */
 #define HID_GROUP_MAX 512u
-#define HID_RANGE_MAX 2048u /* Largest number of usages and usage ranges of all groups together. */
-#define HID_DEPTH_MAX 32u   /* Deepest nesting of collections. Real devices nest 4 collections. */
-#define HID_PUSH_MAX 8u     /* Largest number of nested Push items. Real devices use 1. */
+/* Largest number of usages and usage ranges of all Input items of a descriptor together. */
+#define HID_RANGE_MAX 2048u
+#define HID_DEPTH_MAX 32u /* Deepest nesting of collections. Real devices nest 4 collections. */
+#define HID_PUSH_MAX 8u   /* Largest number of nested Push items. Real devices use 1. */
 #define HID_FIELD_BITS_MAX 256u /* Largest Report Size of one field, in bits. */
 /* Largest size of one report: 8 KiB. The largest report of a real device has 7,487 bytes. */
 #define HID_REPORT_BITS_MAX 65536u
-/* Largest number of fields of all groups together, which a report of 65,536 one-bit fields
+/* Largest number of fields of all Input items together, which a report of 65,536 one-bit fields
  * needs. */
 #define HID_FIELD_MAX 65536u
 

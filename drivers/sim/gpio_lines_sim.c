@@ -209,8 +209,9 @@ static struct gpio_edge take_edge(struct gpio_lines_sim *sim, enum gpio_role rol
     return edge;
 }
 
-/* Reads the queue of a line. If the queue was full, the next edge may follow lost edges, as in
- * gpio_lines1.c. */
+/* Takes up to `max` edges from the queue of a line. A full queue drops edges. If the previous call
+ * found a full queue, take_edge() therefore checks whether edges were lost before the first
+ * edge. */
 static uint32_t take_all(struct gpio_lines_sim *sim, enum gpio_role role, struct gpio_edge *out,
                          uint32_t max)
 {

@@ -21,7 +21,8 @@ enum gpio_sim_what {
      * line. */
     GPIO_SIM_SPARK,
     GPIO_SIM_GONE, /* Removes the chip, which has all lines. */
-    /* Plugs the removed chip in again. The wires can change while the chip is removed. */
+    /* Plugs the removed chip in again. The levels of the wires can change while the chip is
+     * removed. */
     GPIO_SIM_BACK,
 };
 

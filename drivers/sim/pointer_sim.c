@@ -38,8 +38,8 @@ static int pointer_sim_open(void *self)
     return result < 0 ? HAL_ERR_GONE : HAL_OK;
 }
 
-/* Returns a report of the mouse with its faults. Every fourth report with random numbers has a
- * NaN. */
+/* Returns a report of the mouse with its faults. If the report has random numbers (`is_random`),
+ * the number `x_px` is NaN in every fourth such report. */
 static struct pointer_report mouse_report(struct pointer_sim *sim, const struct report_fault *fault)
 {
     CORE_ASSERT(fault->index < sim->feed.count);

@@ -1,5 +1,5 @@
-/* usb_event_thread_bus.c -- compares the bus with the device table, executes commands, and
- * publishes the rows. */
+/* usb_event_thread_bus.c -- compares the devices on the USB bus with the device table, executes the
+ * operator's commands, and publishes the rows of the operator's controller menu. */
 #include "drivers/usb/usb_event_thread.h"
 
 #include <stdio.h>
@@ -184,7 +184,8 @@ static void execute(struct usb_event_thread *usb_thread, const struct usb_comman
         entry->failures = 0;
     }
     if (!order->plays) {
-        /* Releases the slot and the row that are kept for the lost controller of the command. */
+        /* If the controller in the command is unplugged, a slot (`place`) and a row of the
+         * controller menu may still be reserved for the controller. Both are released here. */
         const uint32_t row = usb_device_table_find(&usb_thread->rows, &order->identity);
         for (uint32_t i = 0; i < POI_MAX; i++) {
             struct usb_place *place = &usb_thread->place[i];

@@ -6,7 +6,7 @@
  * were blended, a moving mark would appear twice. Therefore up to FISH_TEXTURE_SHEETS sheets are
  * painted, and two neighbouring sheets are blended. A sheet is first painted coarsely, with
  * interpolation between points. The following frames paint the sheets finely, beginning with the
- * sheet nearest to the visible one. */
+ * sheets that are nearest in the series to the two blended sheets of the largest fish. */
 #pragma once
 
 #include "core/morph/morph.h"

@@ -10,11 +10,11 @@
  * The ledger mirror is a second copy of the newest entries.
  *
  * A card that is slow, full, busy, read-only or absent is retried once per second while the queue
- * fills. A file that must be read completely to detect a change is retried less often
- * (storage_card.c). When the queue is full, append() returns HAL_ERR_BUSY, and the core keeps the
- * entries in its output. If the card is full at program start, the store only reads the database
- * until the card has free space. Each failed write is counted. close() tries once more and returns
- * the number of lost entries.
+ * fills. An unusable database file is read completely at each attempt to open it, so the attempts
+ * become rarer, down to one per minute (storage_card.c). When the queue is full, append() returns
+ * HAL_ERR_BUSY, and the core keeps the entries in its output. If the card is full at program start,
+ * the store only reads the database until the card has free space. Each failed write is counted.
+ * close() tries once more and returns the number of lost entries.
  *
  * The database is copied to a backup file in the same folder: at program start, every hour, and
  * after STORAGE_BACKUP_ENTRIES entries. The backup is validated before it replaces the previous

@@ -228,7 +228,7 @@ int storage_end_rebuilding(struct storage *storage)
     return SQLITE_OK;
 }
 
-/* ---- Reading without a replacement --------------------------------------------------------- */
+/* ---- Reading while the database cannot be replaced ---------------------------------------- */
 
 bool storage_read_remnants(struct storage *storage, int refusal)
 {

@@ -181,8 +181,9 @@ static void change(uint32_t *count, uint32_t from, uint32_t to)
     *count = sum < 0 ? 0u : sum < BALANCE_MAX ? (uint32_t)sum : BALANCE_MAX;
 }
 
-/* Returns the database's balance after the change. `open` stays unchanged, because a round that is
- * open in the database is refunded at the next start. */
+/* Returns the database's balance `balance` after the change `step`. The member `open`, the kind of
+ * credit of an open round, keeps its value from the database. The next start can therefore refund a
+ * round that is open in the database. */
 static struct balance balance_after_change(struct balance balance,
                                            const struct balance_change *step)
 {

@@ -77,9 +77,9 @@ const struct snapshot_fish *targeting_choose(const struct technique *technique,
                                              const struct snapshot *snapshot, vec3 hand_m,
                                              float age_s, float *yaw_rad);
 
-/* Returns the handle yaw at which the ring first passes under the end of the fish that the
- * technique prefers (head or tail). Returns `yaw_rad` if the technique has no preference or the
- * wrist cannot turn that far. */
+/* Returns the handle yaw with which the ring moves under the fish from the end that the technique
+ * prefers: from the head or from the tail. Returns `yaw_rad` if the technique prefers no end, or if
+ * the wrist cannot turn that far. */
 float targeting_yaw(const struct technique *technique, const struct snapshot_fish *fish,
                     float yaw_rad);
 

@@ -24,8 +24,8 @@ bool controller_is_lost(const struct world *world, uint32_t index);
 uint32_t controller_dipped_player(const struct game *game, const struct world *world,
                                   const struct input *input);
 
-/* Writes the source of each poi in the current phase. In attract mode the built-in bot controls the
- * first poi, even if controllers are connected, and no other poi is in use. */
+/* Writes the source of each poi in the current phase to `world`. In attract mode the built-in bot
+ * controls the first poi, even if controllers are connected, and no other poi is in use. */
 void controller_assign(const struct game *game, struct world *world, const struct input *input);
 
 /* Moves each poi's target pose toward the pose of its source. The target stays within arm's reach,
@@ -75,8 +75,9 @@ struct poi_target controller_failsafe_withdraw(const struct poi *poi, struct poi
 struct poi_target controller_failsafe_return(struct poi_target hand, struct poi_target wanted,
                                              uint32_t ticks);
 
-/* Returns true if the poi has returned to the controller's pose `wanted`, which then becomes the
- * target pose. */
+/* Returns true if the return of the poi is complete: `ticks` is at least FAILSAFE_RETURN_TICKS_MIN,
+ * and the poi's target pose `hand` is near the controller's pose `wanted`. The caller then lets the
+ * poi follow the controller again. */
 bool controller_failsafe_is_returned(struct poi_target hand, struct poi_target wanted,
                                      uint32_t ticks);
 
@@ -110,8 +111,8 @@ bool parking_is_parked(const struct game *game, uint32_t index);
 struct poi_target parking_path(const struct game *game, const struct world *world, uint32_t index,
                                struct poi_target hand);
 
-/* parking_collides() returns true while fish and other pois collide with poi `index`.
- * parking_shade() returns the remaining share of the poi's shadow, [0, 1]. */
+/* parking_collides() returns true while poi `index` is an obstacle for fish and for other pois.
+ * parking_shade() returns the opacity of the poi's shadow, from 1 (complete) to 0 (faded). */
 bool parking_collides(const struct game *game, const struct world *world, uint32_t index);
 float parking_shade(const struct game *game, uint32_t index);
 

@@ -66,9 +66,9 @@ struct input_validation {
     /* Ticks left in which the pose catches up with the motion that was missed while reports were
      * late; 0 when it has caught up. */
     uint16_t late_ticks;
-    /* Accumulated motion (`excess_m`) and rotation (`spin`) beyond the speed limits of an arm. A
-     * negative value is motion or rotation that is still allowed, because no reports arrived for
-     * some time. */
+    /* Motion (`excess_m`) and rotation (`spin`, in the unit of input_turn()) beyond the speed
+     * limits, summed over the ticks. A large sum means that the pose jumped. A negative sum is an
+     * allowance for the next report, because no reports arrived for some time. */
     float excess_m, spin;
     struct poi_target newest; /* The last reported pose whose numbers were all valid. */
 };
@@ -78,7 +78,7 @@ struct input_validation {
 bool input_pose_is_finite(const struct poi_target *target);
 
 /* Returns true if the motion between two valid poses in `seconds` >= 0 is too fast. The limit is
- * the speed of an arm (`has_wrist` 1) or of a pointer (`has_wrist` 0). */
+ * the speed of an arm if `has_wrist` is true, otherwise the speed of a pointer. */
 bool input_pose_is_jump(const struct poi_target *from, const struct poi_target *to, float seconds,
                         bool has_wrist);
 
@@ -158,7 +158,8 @@ enum calibration_fault {
     CALIBRATION_CROSSED,
     /* The corners are in mirrored order, which no rotation of the sensor can cause. */
     CALIBRATION_MIRRORED,
-    /* The correction exceeds the range of the settings, which is a factor of 10 or 10 m. */
+    /* A value of the correction exceeds the range of its setting, which is 10 m, 10 rad or a factor
+     * of 10. */
     CALIBRATION_FAR,
     CALIBRATION_UNEVEN, /* No linear map brings all four corners close to their marks. */
     CALIBRATION_TILTED, /* The poi did not lie flat on the water. */

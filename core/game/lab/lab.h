@@ -1,9 +1,11 @@
 /* lab.h -- the growth lab: a page that plays a species' life and edits its growth graph.
  *
- * A pose over the water points at the canvas (lab_layout.h) and presses while the pose is below the
- * press height. A mouse presses with its button. LEFT and RIGHT move through the life while they
- * are held. A short press of START plays the life; holding START leaves the lab. OK shows the next
- * species.
+ * A controller moves a pointer over the page (pointer_mapping.h). The pointer is pressed while the
+ * controller's pose is below POINTER_PRESS_Y_M, which a mouse reaches by its button.
+ *
+ * LEFT and RIGHT move through the life while they are held. A press of START starts or stops the
+ * playback of the life. If START is held for LAB_END_TICKS, the kiosk leaves the lab. OK shows the
+ * next species.
  *
  * The lab has no score. In the lab, a key is a modelled growth stage of the species (key shape). */
 #pragma once
@@ -53,7 +55,7 @@ bool lab_is_own(const struct lab *lab, const struct lab_book *book);
  * Every goldfish of the tank has its own age and appearance. The album shows the fish's life
  * before and after the catch. START or a dip starts the next game; OK turns the page. */
 
-/* Records that player `index` caught `count` fish, in the order of the catch. Fish beyond
+/* Adds the `count` fish that player `index` caught in this tick to the album. Fish beyond
  * ALBUM_FISH_MAX are counted but not stored. */
 void album_note(struct album *album, const struct world *world, uint32_t index, uint32_t count);
 
@@ -75,5 +77,6 @@ game_phase_tick album_tick;
 /* Returns the number of ticks for which the album shows a page with `fish_count` fish. */
 uint32_t album_ticks(uint32_t fish_count);
 
-/* Fills `out` with the visible state of the album. In other phases all fields of `out` are 0. */
+/* Fills `out` with the visible state of the album. Outside the album phase all fields of `out` are
+ * 0. */
 void album_show(const struct game *game, struct scene_album *out);

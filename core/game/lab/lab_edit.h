@@ -1,9 +1,9 @@
 /* lab_edit.h -- edits a deformation graph: drags, adds and removes knots.
  *
- * A knot gives the weight of each key shape at one progress of the life. Every function keeps the
- * graph valid. The progress of the knots rises from 0 to 1. At each knot the weights are >= 0 and
- * sum to 1 (2005 thesis, eq. 3.2 and figure 3.7). The functions have no side effects outside their
- * arguments. */
+ * A knot is a value of progress, which is a position in the life from 0 to 1, and the weight of
+ * each key shape at this progress. Every function keeps the graph valid: the progress rises from 0
+ * at the first knot to 1 at the last knot, and at each knot the weights are >= 0 and sum to 1 (2005
+ * thesis, eq. 3.2 and figure 3.7). The functions have no side effects outside their arguments. */
 #pragma once
 
 #include <stdbool.h>
@@ -71,9 +71,9 @@ bool lab_edit_remove(struct lab_edit *edit, float progress);
 uint32_t lab_edit_scale_knots(const struct lab_edit *edit, const struct species_card *card,
                               struct scale_knot out[GRAPH_KNOT_MAX]);
 
-/* Edit the scale curve as lab_edit_weigh(), lab_edit_move(), lab_edit_add() and lab_edit_remove()
- * edit the weights. The first change copies the displayed scale knots to `edit`. `card` is the
- * unedited species. */
+/* These four functions edit the knots of the scale curve in the same way as lab_edit_weigh(),
+ * lab_edit_move(), lab_edit_add() and lab_edit_remove() edit the knots of the graph. The first
+ * change copies the displayed scale knots to `edit`. `card` is the unedited species. */
 void lab_edit_size(struct lab_edit *edit, const struct species_card *card, uint32_t knot,
                    float length_m);
 void lab_edit_size_move(struct lab_edit *edit, const struct species_card *card, uint32_t knot,

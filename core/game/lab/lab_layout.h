@@ -46,8 +46,8 @@ enum lab_part {
     LAB_PART_COUNT,
 };
 
-/* Returns the box of `part` for a species with `key_count` keys. The box of a missing key is
- * empty. */
+/* Returns the box of `part` for a species with `key_count` keys. The box is empty if `part` is the
+ * picture of a key that the species does not have. */
 struct layout_box lab_box(bool upright, uint32_t key_count, enum lab_part part);
 
 /* Returns the part that a press at `at` selects, or LAB_NOTHING. */

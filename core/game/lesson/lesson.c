@@ -107,7 +107,8 @@ static bool is_fault(const struct lesson *lesson, const struct game *game,
                lesson_fish_is_over(world, &world->poi[player]);
     case HINT_TILT:
         return lesson->flat_dips >= FLAT_DIPS;
-    /* Show this hint in modes with fouls, and in the festival (the mode that keeps no score). */
+    /* Show this hint in the championship (the mode with fouls) and in practice (the mode without a
+     * score), but not in the festival. */
     case HINT_CLEAR_RIM:
         return rules_of(game->mode)->counts_fouls || !rules_of(game->mode)->keeps_score;
     case HINT_LOST_POI:

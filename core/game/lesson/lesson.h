@@ -12,8 +12,8 @@
  * except two hints, which report an event: the paper is useless, or fish were poured into the bowl.
  *
  * The lessons are used for display only: the simulation never reads them, and no hash contains
- * them. They depend only on the state of the game and of the world, so a replay shows the same
- * lessons. */
+ * them. The lessons depend only on the state of the game and of the world, so a replay shows the
+ * same lessons. */
 #pragma once
 
 #include "core/game/game.h"
@@ -35,7 +35,8 @@ struct ghost {
     uint8_t state;  /* State of the ghost (enum ghost_state). */
     uint16_t fish;  /* Index of the fish at which the ghost shows the technique. */
     uint32_t ticks; /* Ticks since the ghost began, without pauses of the round. */
-    /* Position of the fish. The position is updated until the ghost is under the fish. */
+    /* Position of the fish `fish`, from which the ghost's path is computed. The position follows
+     * the fish until the ghost has moved under the fish. */
     vec3 fish_m;
     /* Height of the pose of the player's controller in the last tick, to detect a dip in READY. */
     float live_y_m;
@@ -87,7 +88,8 @@ uint8_t lesson_screen_hint(const struct game *game);
 void lesson_ghost_tick(struct lessons *lessons, const struct game *game, const struct world *world,
                        uint32_t player, bool is_taught);
 
-/* Writes to `out` the pose of the ghost of `player`. */
+/* Writes the present pose of `ghost` to `out`. The path of the ghost leads from the player's bowl
+ * `bowl` to the ghost's fish and back. If the ghost does not run, all fields of `out` are 0. */
 void lesson_ghost_show(const struct ghost *ghost, const struct bowl *bowl, struct scene_ghost *out);
 
 /* ---- Fish that are easy to catch ------------------------------------------------------------- */
@@ -99,7 +101,7 @@ bool lesson_is_easy(const struct fish *fish, const struct world *world, uint32_t
                     bool is_marked);
 
 /* Returns the index of the fish that is the easiest to catch for `player`, or LESSON_NO_FISH if no
- * fish is easy. Skips the fish that the lessons of other players use. */
+ * fish is easy. Skips fish that the lesson or the ghost of another player uses. */
 uint16_t lesson_easiest_fish(const struct lessons *lessons, const struct world *world,
                              uint32_t player);
 

@@ -53,7 +53,8 @@ uint32_t name_normalize(const char *utf8, enum name_ends ends, uint16_t out[NAME
     uint32_t count = 0, end = 0;
     while (*utf8 != 0 && count < NAME_NORMALIZE_MAX) {
         const uint32_t point = printable_next(&utf8);
-        /* Letters above U+FFFF are not distinguished, because no such letter has another form. */
+        /* Characters above U+FFFF do not fit into 16 bits and become PRINTABLE_MALFORMED. The loop
+         * skips this value, because it keeps only Latin letters and kana. */
         const uint16_t raw = (uint16_t)(point <= 0xffffu ? point : PRINTABLE_MALFORMED);
         /* True for a half-width voicing mark. */
         const bool is_voicing = raw == 0xff9eu || raw == 0xff9fu;

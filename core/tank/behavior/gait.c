@@ -68,9 +68,9 @@ float gait_depth_m(float stamina, float water_depth_m)
     return -share * water_depth_m;
 }
 
-/* Depth below the surface at which a calm fish (fish_is_calm()) keeps its back. A poi (paper scoop)
- * that dips into the water at a slant passes ahead of a fish at this depth. The ring of the poi
- * would push down a fish that is nearer to the surface. */
+/* Depth below the surface at which a calm fish (fish_is_calm()) keeps its back. At this depth, a
+ * poi (paper scoop) can dip into the water near the fish without touching the fish. If the fish
+ * were nearer to the surface, the ring of the poi would push the fish down. */
 #define CALM_DEPTH_M 0.020f
 
 /* Returns the preferred depth of the fish for its present stamina (2013 thesis, section 3.6). */

@@ -32,9 +32,10 @@ struct box_gap {
     uint8_t which;
 };
 
-/* Returns the gap of two boxes by all fifteen axes (Gottschalk 1996; Ericson 2005, section 4.4.1).
- * The cross products of edges are normalised, so every gap is a true distance. The search stops as
- * soon as `space_m` is > 0; the other members of the result are undefined in that case. */
+/* Returns the gap between two boxes by the separating-axis test with all fifteen axes (Gottschalk
+ * 1996; Ericson 2005, section 4.4.1). The cross products of edges are normalised, so every gap is a
+ * true distance. The test stops at the first axis with `space_m` > 0; the other members of the
+ * result are then undefined. */
 struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b,
                        float margin_b_m);
 
@@ -129,8 +130,8 @@ static inline struct box body_box(const struct body *body)
     };
 }
 
-/* Returns the gap between the boxes of two bodies, as box_gap() does. Each box is enlarged by its
- * margin. */
+/* Returns the gap between the boxes of two bodies, as box_gap() does. The margins are the
+ * parameters, not the members `margin_m` of the bodies. */
 static inline struct box_gap body_gap(const struct body *a, float margin_a_m, const struct body *b,
                                       float margin_b_m)
 {

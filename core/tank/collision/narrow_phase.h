@@ -43,19 +43,18 @@ struct spatial_grid {
      * item[start[c + 1] - 1]. */
     fish_index start[SPATIAL_GRID_CELL_MAX + 1u];
     fish_index item[TANK_FISH_MAX + SIMD_LANES_MAX];
-    /* Cell of each fish in the array `member`. The caller of narrow_grid_sort() sets this array
-     * first. */
+    /* Cell of each fish: cell_of[m] is the cell of the fish member[m]. The caller sets `cell_of`
+     * before it calls narrow_grid_sort(). */
     fish_index cell_of[TANK_FISH_MAX + SIMD_LANES_MAX];
 };
 
-/* Divides a floor plan for `fish_count` fish into cells whose side is at least `reach_m`. The cells
- * are made larger if there would otherwise be more than one cell for every two fish of
- * fish_capacity(). */
+/* Divides a floor plan into cells whose side is at least `reach_m`. The cells are larger if the
+ * number of cells would otherwise exceed fish_capacity(fish_count) / 2. */
 void narrow_grid_layout(struct spatial_grid *grid, float width_m, float breadth_m, float reach_m,
                         uint32_t fish_count);
 
-/* Sorts the `count` fish of the array `member` into their grid cells. cell_of[m] is the cell of the
- * fish member[m]. Fish of the same cell keep their order. Asserts that `count` is at most
+/* Sorts the `count` fish of the array `member` into their grid cells, which the member `cell_of` of
+ * `grid` gives. Fish of the same cell keep their order. Asserts that `count` is at most
  * TANK_FISH_MAX. */
 void narrow_grid_sort(struct spatial_grid *grid, const fish_index *member, uint32_t count);
 
@@ -155,10 +154,10 @@ struct narrow_phase {
     float x_m[TANK_FISH_MAX + SIMD_LANES_MAX], y_m[TANK_FISH_MAX + SIMD_LANES_MAX],
         z_m[TANK_FISH_MAX + SIMD_LANES_MAX], ball_m[TANK_FISH_MAX + SIMD_LANES_MAX],
         slab_m[TANK_FISH_MAX + SIMD_LANES_MAX];
-    uint32_t near_count;
+    uint32_t near_count; /* Number of pairs in `near_a` and `near_b`. */
+    /* Pairs that the first step of the search found. near_a[k] and near_b[k] are the two items of
+     * pair k. An item is the place of a fish in the order of the cells. */
     uint32_t near_a[NARROW_PHASE_BATCH + SIMD_LANES_MAX],
-        /* Pairs that the first step of the search found. near_a[k] and near_b[k] are the two items
-         * of pair k. An item is the place of a fish in the order of the cells. */
         near_b[NARROW_PHASE_BATCH + SIMD_LANES_MAX];
 };
 

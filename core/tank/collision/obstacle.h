@@ -44,7 +44,8 @@ struct obstacle {
     float radius_m; /* Outer radius of the ring or of the bowl's mouth. */
     float depth_m;  /* Depth of a bowl's hull below its mouth. */
 
-    /* Motion of the obstacle in this tick; zero if the obstacle did not move. */
+    /* Motion of the obstacle in this tick, or in the present substep while the contact solver runs.
+     * Zero if the obstacle did not move. */
     vec3 step_m;
     /* Axes of a poi now (`axes`) and before its motion in this tick (`axes_before`). `axes.up`
      * equals `normal`. */
@@ -132,10 +133,15 @@ vec3 obstacle_paper_hold(const struct obstacle *disc, const struct body *now, ve
  * `before_m` is the position of the point before that motion. */
 vec3 obstacle_carry_m(const struct obstacle *obstacle, vec3 before_m);
 
-/* Undoes a part of the obstacle's motion in this tick, because a fish in the way of the obstacle
- * cannot move. Moves the obstacle by `excess_m` in the direction opposite to `out`, at most by the
- * component of `step_m` along `out`. If that component is nearly zero, undoes the obstacle's
- * rotation. Undoes the whole motion in this tick if the obstacle did not rotate, or after eight
- * calls for the obstacle. Returns true if the obstacle changed, or false if the obstacle has no
- * motion left in this tick. */
+/* Undoes a part of the obstacle's motion in this substep, because a fish in its way cannot move.
+ * `excess_m` and `out` are the results of obstacle_excess_m() for this fish. The first of these
+ * rules that applies is used:
+ *
+ * - From the ninth call for the obstacle in a substep on, the whole motion is undone.
+ * - If the obstacle moved along `out`, the obstacle moves back by `excess_m`, but not farther along
+ *   `out` than it moved.
+ * - If the obstacle rotated, the rotation is undone.
+ * - Otherwise the whole motion is undone.
+ *
+ * Returns true if any motion was undone, or false if no motion was left to undo. */
 bool obstacle_apply_reaction(struct obstacle *obstacle, vec3 out, float excess_m);

@@ -1,8 +1,8 @@
 /* doctor_gpio.c -- checks the GPIO chips and the configured lines.
  *
  * The check reports whether each configured line exists, is unused and has a unique name. The check
- * uses linux/gpio.h directly, because the kernel reports the consumer of a line without a request
- * for the line. */
+ * does not request a line. It only reads the kernel's information about the lines (linux/gpio.h),
+ * which names the consumer of each used line. */
 #include "platform/ctl/doctor/doctor.h"
 
 #include <errno.h>

@@ -31,8 +31,8 @@ static int32_t flight_age(const struct ui_memory *memory, uint32_t tick, uint32_
     return (int32_t)(tick - memory->flight_tick[player][number % UI_FLIGHT_MAX]);
 }
 
-/* Returns for how many of `caught` fish the start of the flight is stored. These are the newest
- * fish. */
+/* Returns the smaller of `caught` and UI_FLIGHT_MAX. The memory stores the start of the flight for
+ * at most UI_FLIGHT_MAX fish of a player, the newest ones. */
 static uint32_t flight_count(uint32_t caught)
 {
     return caught < UI_FLIGHT_MAX ? caught : UI_FLIGHT_MAX;

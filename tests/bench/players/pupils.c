@@ -29,8 +29,9 @@ static const struct habits taught = {
     .tremor_m = 0.002f,
 };
 
-/* The functions below change the habits of the player with the fault (`ill`) and, if the cure is
- * not the habits of `taught`, also of the player after the sign (`cured`). */
+/* Each function below gives a pair of players its fault. `ill` are the habits with the fault.
+ * `cured` are the habits after the player has seen the sign on the screen. Both habits begin as
+ * copies of `taught`, and most functions change only `ill`. */
 
 static void is_motionless(struct habits *ill, struct habits *cured)
 {

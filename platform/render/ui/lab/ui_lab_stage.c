@@ -20,8 +20,8 @@
 /* Margin above the fish in canvas units. The margin is needed because the fish turns a little while
  * it swims. */
 #define TOP 40.0f
-/* Margin above the fish in canvas units if a caption is shown, which is the case beside a
- * comparison fish. */
+/* Margin above the fish in canvas units while a comparison fish is shown, because a caption is then
+ * drawn above each of the two fish. */
 #define TOP_CAPTION 62.0f
 #define FOOT 12.0f /* Margin above the ruler in canvas units. */
 /* Length of a trajectory, in layout units, from which its dots have their full size. Shorter
