@@ -16,7 +16,7 @@ struct cubic_point {
 float cubic_slope(const struct cubic_point *points, uint32_t count, uint32_t index);
 
 /* Returns the value of the curve at the position `at`. Positions before the first point or after
- * the last point are clamped. The value is exact at every point. `last_slope` is the slope at the
- * last point. Null selects the slope that cubic_slope() returns. */
+ * the last point are clamped. The value is exact at every point. `last_slope` is the slope of the
+ * curve at the last point; if it is null, the slope is the one that cubic_slope() returns. */
 float cubic_curve(const struct cubic_point *points, uint32_t count, float at,
                   const float *last_slope);

@@ -7,7 +7,9 @@
 /* Point on the skin or on a fin, in the coordinates that the marks use. */
 struct mark_point {
     uint8_t part, side;
-    /* Position from 0 to 1: along the body from snout to tail root, or along the base of a fin. */
+    /* Coordinate u of struct species_vertex. On the body, u is 0 at the snout and 1 at the tail
+     * root. On a fin, u is 0 at the leading ray and 1 at the last ray. On an eye, u is 0 at the
+     * centre of the pupil and 1 at the outer edge of the iris. */
     float u;
     /* Height in [0, 1]. On the body, 0 is the belly and 1 is the back. On a fin, 0 is the root and
      * 1 is the tip. */

@@ -141,8 +141,9 @@ enum graph_line {
 struct graph {
     uint8_t knot_count; /* Number of knots, 2 .. GRAPH_KNOT_MAX. */
     uint8_t line;       /* Interpolation between knots (enum graph_line). */
-    /* 1 if graph_solve() exaggerates the key shapes before they are blended, so that the fish
-     * passes through every drawn key. 0 if the drawn key shapes are blended directly. */
+    /* 1 if graph_solve() exaggerates the key shapes before they are blended, so that the fish has
+     * exactly the drawn shape of each key at the progress of the key. 0 if the drawn key shapes are
+     * blended directly. */
     uint8_t solved;
     struct graph_knot knots[GRAPH_KNOT_MAX];
 };

@@ -99,8 +99,8 @@ float input_turn(struct angles from, struct angles to);
  * [0, 1]. With a low report rate the poi moves at about the arm's speed and lags by one report. */
 float input_validation_blend(const struct input_validation *validation);
 
-/* Validates one tick's input of one player and returns the result. In the initial state all fields
- * of `validation` are 0. */
+/* Validates the input of one player in this tick and returns the result. All fields of `validation`
+ * must be 0 before the first call. */
 enum input_status input_validation_tick(struct input_validation *validation,
                                         const struct poi_input *input);
 
@@ -119,14 +119,15 @@ enum input_status input_validation_tick(struct input_validation *validation,
  * value is therefore written last (SET_CALIBRATION_CHECK). If the check value does not match the
  * nine settings, the correction is incomplete and is not applied.
  *
- * The handle's yaw rotates with x and z. Recordings store the uncorrected pose; the core corrects
- * the pose in every tick. */
+ * The handle's direction is mapped like x and z, which corrects the yaw. Recordings store the
+ * uncorrected pose; the core corrects the pose in every tick. */
 
 #define CALIBRATE_CORNERS 4u
 /* Distance of a calibration mark from each of the two nearest walls. At this distance the ring can
  * lie flat. */
 #define CALIBRATE_INSET_M 0.08f
-/* Distance between two measured corners below which both count as the same corner. */
+/* Smallest allowed distance between two measured corners. If two corners are nearer, they were
+ * probably measured at the same mark. */
 #define CALIBRATE_NEAR_M 0.02f
 /* Largest allowed root mean square distance between the corrected corners and their marks. With
  * careful aiming and a working sensor the distance stays below this value. */

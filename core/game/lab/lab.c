@@ -43,7 +43,7 @@ static struct pointer_state first_pointer(const struct lab *lab, const struct wo
     return hand;
 }
 
-/* Moves the lab's pointer to `hand` and updates whether it is pressed. After a switch to a
+/* Moves the lab's pointer to `hand` and updates whether the pointer is pressed. After a switch to a
  * different player's pointer, nothing is pressed until the new pointer has been above the water. A
  * drag by the previous player therefore does not continue. Returns true if the player leaves the
  * lab. */

@@ -53,9 +53,9 @@ void lab_edit_weigh(struct lab_edit *edit, uint32_t key_count, uint32_t knot, ui
  * knot do not move. */
 void lab_edit_move(struct lab_edit *edit, uint32_t knot, float progress);
 
-/* Adds a knot on the curve at `progress`. The new knot does not change the shape of a straight
- * curve. Returns the index of the knot, or LAB_NO_KNOT if the table is full or a neighbouring knot
- * is too close. */
+/* Adds a knot at `progress` with the graph's weights at this progress. The new knot does not change
+ * a graph that is linear between its knots (GRAPH_STRAIGHT). Returns the index of the knot, or
+ * LAB_NO_KNOT if the table is full or a neighbouring knot is nearer than LAB_KNOT_GAP. */
 uint32_t lab_edit_add(struct lab_edit *edit, uint32_t key_count, float progress);
 
 /* Removes the inner knot nearest to `progress`. Returns false if no inner knot exists. */

@@ -23,7 +23,9 @@ enum body_flag {
     BODY_AIRBORNE = 2,
     BODY_NEAR_OBSTACLE = 4, /* The fish could touch an obstacle in this substep. */
     BODY_GULPING = 8,       /* The fish gulps, so its snout may be above the surface. */
-    BODY_REVERTED = 16,     /* The contact solver moved the fish back to its previous pose. */
+    /* The contact solver moved the fish back to its pose at the start of the tick, so the fish also
+     * gets back its angles at the end of the tick. */
+    BODY_REVERTED = 16,
     /* The contact list was full, so a contact of the fish is missing in the list. */
     BODY_UNLISTED = 32,
 };

@@ -40,7 +40,7 @@
  * a jump of the fish. */
 #define SOLVER_PUSH_M 0.002f
 /* Value of `push_max_m`, the largest push of a body in a tick, while no poi (paper scoop) moves in
- * the water. The value equals 6 cm/s, because a tick lasts 1/120 s. */
+ * the water. With ticks of 1/120 s, the push is a speed of 6 cm/s. */
 #define SOLVER_CALM_PUSH_M 0.0005f
 
 /* Inner faces of the tank, within which the solver keeps the bodies. */
@@ -103,7 +103,7 @@ struct contact_solver {
         bool turned;
     } course[TANK_OBSTACLE_MAX];
     uint32_t substep, substep_count;
-    /* True if a fish must return to its previous angles at the end of the tick. */
+    /* True if at least one fish must return to its angles at the start of the tick. */
     bool reverts_angles;
     /* Number of times that a fish was moved back to its previous pose in this tick, in all
      * substeps. */
@@ -137,13 +137,13 @@ void contact_solver_relax(struct contact_solver *solver, struct broad_phase *bro
                           const struct solver_context *place);
 
 /* Ends a substep. Pushes overlapping bodies apart as contact_solver_relax() does. Bodies that could
- * not be separated then return to their previous poses. */
+ * not be separated then return to their poses at the start of the substep. */
 void contact_solver_finish(struct contact_solver *solver, struct broad_phase *broad_phase,
                            const struct solver_context *place);
 
-/* Ends a tick. Fish that the penetration check moved back to their previous pose also get their
- * previous angles and stop turning. If the solver undid a part of an obstacle's motion, the
- * obstacle loses the corresponding part of its velocity. */
+/* Ends a tick. A fish that was reverted in the first substep, the only one with rotation, gets back
+ * its angles from the start of the tick and stops turning. If the solver undid a part of an
+ * obstacle's motion, the obstacle loses the corresponding part of its velocity. */
 void contact_solver_end(struct contact_solver *solver, const struct broad_phase *broad_phase,
                         const struct solver_context *place);
 
