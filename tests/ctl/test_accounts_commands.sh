@@ -57,6 +57,21 @@ alter table rounds add column others text|table 'rounds', whose definition is no
 END
     [ ! -e "$work/named/kingyo.db" ]
 }
+# A copy of any version can be restored, with all of its rounds. The version of the file stays the same. The same copy
+# with a trigger is refused.
+restores_every_version() {
+    local version at
+    for version in 1 2 3 4 5 6; do
+        at=$work/version-$version
+        mkdir "$at" && cp "$old/version-$version.db" "$at.db" &&
+            ends 0 'is now' backup --restore "$at.db" --data "$at" &&
+            [ "$(sqlite3 "$at/kingyo.db" 'pragma user_version; select count(*) > 0 from rounds')" = \
+                "$(sqlite3 "$at.db" 'pragma user_version; select 1')" ] && rm "$at/kingyo.db" &&
+            sqlite3 "$at.db" 'create trigger t after update on rounds begin delete from rounds; end' &&
+            ends 65 "holds the trigger 't', which is not Kingyo's" backup --restore "$at.db" --data "$at" &&
+            [ ! -e "$at/kingyo.db" ] || return 1
+    done
+}
 follows_a_named_link() {
     ln -s "$PWD/$old/version-6.db" "$work/link.db"
     mkdir -p "$work/linked"
@@ -223,7 +238,10 @@ check 'a restore replaces the database and keeps the previous files' goes_back
 check 'a second restore keeps the files of the first restore' goes_back_again
 check 'a restore is refused while the database is in use' refuses_while_it_runs
 check 'a restore into an empty folder creates a private database' begins_elsewhere
-check 'the database of another program cannot be restored' keeps_its_file "$work/foreign.db" 'is not a copy'
+check 'the database of another program cannot be restored' keeps_its_file "$work/foreign.db" \
+    "holds the table 'rounds', whose definition is not Kingyo's"
+sqlite3 "$work/no-table.db" 'vacuum'
+check 'a database without a table cannot be restored' keeps_its_file "$work/no-table.db" 'is not a copy'
 check 'a file that is not a database cannot be restored' keeps_its_file "$work/precious" 'not a database'
 check 'a damaged copy cannot be restored' keeps_its_file "$work/torn.db" '.'
 check 'the database cannot be restored from itself' keeps_its_file "$work/back/kingyo.db" 'own database'
@@ -255,6 +273,7 @@ private_again() { chmod 644 "$work/private.db" && private; }
 check 'a backup that replaces a public copy is private' private_again
 check 'a copy with a trigger is refused, and the error names the trigger' refuses_a_trigger
 check 'the error for a foreign object gives its type and name' names_what_is_not_ours
+check 'a copy of every version can be restored, but not with a trigger' restores_every_version
 check 'backup --restore follows a symbolic link' follows_a_named_link
 check 'backup --restore replaces a symbolic link, not its target' replaces_a_link
 check 'backup --restore renames no file in a folder that a link leads to' stays_in_its_folder

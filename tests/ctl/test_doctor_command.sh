@@ -188,6 +188,20 @@ cp tests/unit/platform/store/files/version-6.db "$root/data/kingyo.db"
 check 'a database is checked and summarized' finds fine database kingyo.db 'whole, version 6: 9 entries of 2 starts, 1 rounds'
 cp tests/unit/platform/store/files/version-2.db "$root/data/kingyo.db"
 check 'a database of an earlier version is fine' finds fine database kingyo.db 'of an earlier version'
+# The kiosk would rename each of these files, so `kingyoctl doctor` must report each as damaged.
+foreign_is_wrong() { # VERSION SQL
+    cp "tests/unit/platform/store/files/version-$1.db" "$root/data/kingyo.db" && sqlite3 "$root/data/kingyo.db" "$2" &&
+        finds wrong database kingyo.db damaged 'restart the kiosk'
+}
+for version in 1 2 3 4 5 6; do
+    check "a database of version $version with a trigger is wrong" foreign_is_wrong $version \
+        'create trigger t after update on rounds begin delete from rounds; end'
+done
+cp tests/unit/platform/store/files/version-5.db "$root/data/kingyo.db"
+printf 'x%.0s' {1..4000} | dd of="$root/data/kingyo.db" bs=1 seek=4096 conv=notrunc status=none
+check 'a damaged database of an earlier version is wrong' finds wrong database kingyo.db damaged 'restart the kiosk'
+rm "$root/data/kingyo.db" && sqlite3 "$root/data/kingyo.db" 'create table x (a)'
+check 'the database of another program is wrong' finds wrong database kingyo.db damaged 'restart the kiosk'
 touch "$root/data/kingyo.db.damaged-1" "$root/data/kingyo.db.damaged-1-wal"
 touch -d '3 days ago' "$root/data/kingyo.db.backup"
 check 'a renamed damaged database is reported' finds look database kingyo.db.damaged-1 'was renamed'

@@ -54,27 +54,25 @@ bool books_is_same(const char *one, const char *other)
 
 int books_check_copy(const char *path, struct ledger_start *out)
 {
-    static const char ours[] =
-        "SELECT count(*) = 2 FROM pragma_table_info('rounds') WHERE name IN ('number', 'id')";
     struct ledger_file file;
+    sqlite3 *db = NULL;
+    int64_t count = 0;
     *out = (struct ledger_start){ 0 };
     int code = ledger_file_inspect(&file, path);
     if (code == SQLITE_OK) {
         *out = file.content.memory.ledger;
         ledger_file_close(&file);
     }
-    if (code != SQLITE_SCHEMA) {
-        return code;
+    if (code == SQLITE_SCHEMA) {
+        /* A file without tables is also SQLITE_SCHEMA, because the kiosk would create the tables.
+         * Such a file is no copy of a database. */
+        code = sql_open(path, SQLITE_OPEN_READONLY, NULL, &db);
+        code =
+            code == SQLITE_OK ? sql_number(db, "SELECT count(*) FROM sqlite_schema", &count) : code;
+        sqlite3_close(db);
+        code = code == SQLITE_OK && count == 0 ? SQLITE_NOTFOUND : code;
     }
-    /* Two columns of the table `rounds` distinguish a database of Kingyo's first version from a
-     * database of another program. A low version number is not sufficient, because any program may
-     * write such a number. */
-    sqlite3 *db = NULL;
-    int64_t is_ours = 0;
-    code = sql_open(path, SQLITE_OPEN_READONLY, NULL, &db);
-    code = code == SQLITE_OK ? sql_number(db, ours, &is_ours) : code;
-    sqlite3_close(db);
-    return code == SQLITE_OK && !is_ours ? SQLITE_NOTFOUND : code;
+    return code;
 }
 
 bool books_tell_foreign(const char *command, const char *path, const char *advice)

@@ -36,8 +36,9 @@ bool books_is_same(const char *one, const char *other);
 /* Checks whether the file at `path` is a ledger database that Kingyo wrote.
  *
  * Returns SQLITE_OK and fills `out` with the start record of the ledger. The record is all zero if
- * an earlier version of Kingyo wrote the file. Returns SQLITE_NOTFOUND if the file is a database of
- * another program, otherwise an SQLite error code. */
+ * an earlier version of Kingyo wrote the file. Returns SQLITE_NOTFOUND if the database has no
+ * tables. Returns SQLITE_CORRUPT if the database is damaged, or if its tables are not the tables of
+ * its version. Otherwise returns an error code of ledger_file.h. */
 int books_check_copy(const char *path, struct ledger_start *out);
 
 /* Used if ledger_check() reports a damaged database: searches for a foreign object in the database,

@@ -102,7 +102,8 @@ int ledger_file_open(struct ledger_file *file, const char *path,
                      const struct ledger_file_options *how);
 
 /* Opens an existing file for reading only. The file is not migrated or changed. Returns an SQLite
- * code or an error code of this module; SQLITE_SCHEMA means that the file has an old version. */
+ * code or an error code of this module. SQLITE_SCHEMA means that an old version of Kingyo wrote the
+ * file, or that the file has no tables yet, and that ledger_check() found no damage. */
 int ledger_file_inspect(struct ledger_file *file, const char *path);
 
 /* Validates a whole database. Returns SQLITE_OK, or the reason why the database cannot be used. */

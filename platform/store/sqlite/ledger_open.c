@@ -343,7 +343,8 @@ int ledger_file_inspect(struct ledger_file *file, const char *path)
     }
     code = code != SQLITE_OK && is_card_full(file, code) ? SQLITE_FULL : code;
     if (code == SQLITE_OK && version != LEDGER_FILE_VERSION) {
-        code = version > LEDGER_FILE_VERSION ? LEDGER_FILE_NEWER : SQLITE_SCHEMA;
+        code = ledger_check(file->db);
+        code = code == SQLITE_OK ? SQLITE_SCHEMA : code;
     }
     code = code == SQLITE_OK ? ledger_schema_check(file->db, version) : code;
     code = code == SQLITE_OK ? ledger_aggregates_read(file, &file->content) : code;
