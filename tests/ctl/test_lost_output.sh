@@ -122,7 +122,7 @@ is_reason() { # WORDS FULL|CLOSED PROGRAM...: The one line on standard error giv
     reports_output_error "$@" && [ "$(wc -l <"$work/err")" -eq 1 ] && grep -q "standard output: $wanted" "$work/err"
 }
 
-echo 1..16
+echo 1..18
 check 'the table of this test contains every command and subcommand' covers
 check 'every command reports a full standard output' all_report_output_error full "$commands"
 check 'every command reports a closed standard output' all_report_output_error closed "$commands"
@@ -135,6 +135,7 @@ check 'a full disk is reported with its cause after more than one buffer' is_rea
 check 'a closed descriptor is reported with its cause' is_reason 'Bad file descriptor' closed "$ctl" audits --data "$data"
 check 'a command with an error of its own reports the lost output in one line' is_reason 'No space left' full "$ctl" lines list
 for how in full closed; do
+    check "hid watch without a device reports a $how standard output in one line" is_reason '' $how "$ctl" hid watch
     check "kingyo --help reports a $how standard output" is_reason '' $how "$build/kingyo" --help
     check "kingyo --version reports a $how standard output" is_reason '' $how "$build/kingyo" --version
 done

@@ -70,7 +70,7 @@ static enum exit_code print_hid_nodes(void)
                node->product, hid_node_bus(node), node->driver[0] ? node->driver : "-",
                node->open_errno ? strerror(node->open_errno) : "ok", node->name);
     }
-    if (count == 0) {
+    if (count == 0 && print_flush(stdout) == 0) { /* main() reports lost output instead. */
         print_error("kingyoctl hid: no HID device is plugged in that has a /dev/hidraw node");
     }
     return EXIT_OK;
