@@ -112,4 +112,19 @@ as_user() { grep -qx 'User=kingyo' $unit && grep -q '^ExecStart=@PREFIX@/lib/kin
 check 'the check runs as the service user' as_user
 check 'the remount runs as root after every end of the check' grep -q '^ExecStopPost=+@PREFIX@/lib/kingyo/protect-data ' $unit
 check 'the script that runs as root opens no file in the folder' bash -c '! grep -nE "\\\$folder[\"'\'']?/|\\\$1/" board/kiosk/protect-data'
+# systemd opens the file of `file:` without emptying it, so the end of a longer old line would stay behind a shorter new
+# line. `truncate:` would empty the file for ExecStopPost too, and protect-data could not read the reason.
+check 'the result of an older check is removed before the check' grep -qx 'ExecStartPre=+/bin/rm -f /run/kingyo-data' $unit
+check 'the result of the check is still there when protect-data reads it' grep -qx 'StandardOutput=file:/run/kingyo-data' $unit
+if command -v systemd-analyze >"$work/which"; then
+    sound() { # systemd accepts every line of the unit. The two scripts are replaced by a program that exists.
+        sed 's|@PREFIX@/lib/kingyo/[a-z-]*|/bin/true|; s/^User=.*/User=root/; s/^Group=.*/Group=root/' $unit >"$work/kingyo-data.service" &&
+            systemd-analyze verify --man=no "$work/kingyo-data.service" >"$work/verified" 2>&1
+        cat "$work/verified"
+        ! grep -q 'kingyo-data.service' "$work/verified"
+    }
+    check 'systemd-analyze finds no mistake in the unit of the check' sound
+else
+    skip 'systemd-analyze finds no mistake in the unit of the check' 'there is no systemd-analyze'
+fi
 echo "1..$count"
