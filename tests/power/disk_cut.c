@@ -150,7 +150,7 @@ static void write_out(const char *folder, const char *name, const struct disk_fi
     char path[512];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     make_folder(folder, name);
-    const int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    const int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
     if (fd < 0 || write(fd, file->bytes, file->size) != (ssize_t)file->size) {
         fprintf(stderr, "power: %s: cannot write\n", path);
         abort();
