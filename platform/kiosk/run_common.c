@@ -128,12 +128,11 @@ enum exit_code run_common_begin(struct run_common *session, struct kiosk_config 
     config->core.lanes = cpu_lanes();
     library_fill(&session->library, session->options.data);
     const struct library *library = &session->library;
-    char file[sizeof LIBRARY_FOLDER + LIBRARY_FILE_SIZE], words[SCENE_LINE_SIZE];
+    char words[SCENE_LINE_SIZE];
     for (uint32_t i = 0; i < library->line_count; i++) {
         const struct library_line *line = &library->lines[i];
         const bool is_used = line->slot != LIBRARY_SLOT_NONE;
-        snprintf(file, sizeof file, LIBRARY_FOLDER "/%s", line->file);
-        operator_notes_add(&session->notes, is_used ? FILE_USED : FILE_REFUSED, file,
+        operator_notes_add(&session->notes, is_used ? FILE_USED : FILE_REFUSED, line->file,
                            is_used ? library->slots[line->slot].species.card.id : line->why);
     }
     if (library->unread_count > 0) {
@@ -183,8 +182,7 @@ void run_common_print_library(const struct run_common *session)
             print_line(stdout, "  %-9s %s: %s", "species", line->file,
                        library->slots[line->slot].species.card.id);
         } else {
-            log_print(LOG_LEVEL_WARNING, "%s/" LIBRARY_FOLDER "/%s: %s", data, line->file,
-                      line->why);
+            log_print(LOG_LEVEL_WARNING, "%s/%s: %s", data, line->file, line->why);
         }
     }
     if (library->unread_count > 0) {

@@ -53,14 +53,16 @@ static bool library_read_file(struct library *library, const char *path,
     return true;
 }
 
-/* Appends an entry for the file `file` to library->lines and returns the entry. Its library slot
- * and its reason for a rejection are still empty. */
-static struct library_line *add_line(struct library *library, const char *file)
+/* Appends an entry for the file `name` of the species folder to library->lines and returns the
+ * entry. If `name` is null, the entry is for the folder itself. The library slot of the entry and
+ * its reason for a rejection are still empty. */
+static struct library_line *add_line(struct library *library, const char *name)
 {
     CORE_ASSERT(library->line_count < LIBRARY_LINE_MAX);
     struct library_line *line = &library->lines[library->line_count++];
     *line = (struct library_line){ .slot = LIBRARY_SLOT_NONE };
-    snprintf(line->file, sizeof line->file, "%.*s", (int)sizeof line->file - 1, file);
+    snprintf(line->file, sizeof line->file, LIBRARY_FOLDER "%s%.*s", name ? "/" : "",
+             (int)sizeof line->file - 1, name ? name : "");
     printable(line->file);
     return line;
 }
@@ -77,7 +79,7 @@ void library_fill(struct library *library, const char *data)
     const int count = scandir(folder, &entries, is_pack_file, compare_names);
     if (count < 0 && errno != ENOENT) {
         const int error = errno;
-        struct library_line *line = add_line(library, LIBRARY_FOLDER);
+        struct library_line *line = add_line(library, NULL);
         snprintf(line->why, sizeof line->why, "%s", strerror(error));
     }
     for (int i = 0; i < count; i++) {

@@ -13,13 +13,13 @@
 /* Maximum number of files that are read. The number is limited because the operator's screen shows
  * one line for each file. Further files are only counted. */
 #define LIBRARY_LINE_MAX 32u
-/* Size of the buffer for a file name in bytes. A longer file name is truncated. */
-#define LIBRARY_FILE_SIZE 64u
+/* Size of the buffer for a path in bytes. A longer path is truncated. */
+#define LIBRARY_FILE_SIZE 72u
 /* Value of the field `slot` of struct library_line for a rejected file. */
 #define LIBRARY_SLOT_NONE 255u
 
 struct library_line {
-    char file[LIBRARY_FILE_SIZE]; /* Name of the file, without its folder. */
+    char file[LIBRARY_FILE_SIZE]; /* Path of the file, relative to the data folder. */
     /* Index of the library slot that holds the species. LIBRARY_SLOT_NONE means that the file was
      * rejected. */
     uint8_t slot;

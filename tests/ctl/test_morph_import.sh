@@ -161,7 +161,7 @@ opens() {
 }
 opens >"$work/output" 2>&1
 check 'the kiosk opens with invalid species' grep -q '^Kingyo .* played by the bot' "$work/output"
-check 'the kiosk reports each loaded species' grep -q 'species  *small.kfish: small' "$work/output"
+check 'the kiosk reports each loaded species' grep -q 'species  *species/small.kfish: small' "$work/output"
 check 'the kiosk reports a rejected species with the reason' grep -q 'species/cut.kfish: size: ' "$work/output"
 check 'the kiosk rejects a second species of the same id' grep -q "species/twin.kfish: id: the species 'wakin' exists already" "$work/output"
 echo "1..$count"

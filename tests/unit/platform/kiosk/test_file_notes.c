@@ -211,6 +211,16 @@ static void test_a_rejected_species_file_is_listed_with_its_reason(void **state)
     assert_int_equal(file[2].state, FILE_UNKNOWN);
 }
 
+static void test_a_file_in_place_of_the_species_folder_is_named_once(void **state)
+{
+    (void)state;
+    put(".", "species", "no folder");
+    const struct scene_file *file = look();
+    assert_int_equal(file[1].state, FILE_REFUSED);
+    assert_string_equal(file[1].name, "species");
+    assert_string_equal(file[1].words, "Not a directory");
+}
+
 static void test_valid_species_files_are_listed_after_the_rejected_ones(void **state)
 {
     static struct species_slot slot;
@@ -338,6 +348,7 @@ int main(void)
                                empty),
         cmocka_unit_test_setup(test_a_full_list_counts_the_rest_in_its_last_row, empty),
         ON_THE_SCREEN(test_a_rejected_species_file_is_listed_with_its_reason),
+        ON_THE_SCREEN(test_a_file_in_place_of_the_species_folder_is_named_once),
         ON_THE_SCREEN(test_valid_species_files_are_listed_after_the_rejected_ones),
         ON_THE_SCREEN(test_a_stored_graph_is_listed_as_used),
         ON_THE_SCREEN(test_the_first_file_row_is_the_current_store_status),

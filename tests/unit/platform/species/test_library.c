@@ -107,7 +107,7 @@ static void test_an_invalid_file_gives_a_message_and_uses_no_slot(void **state)
         assert_int_equal(library.lines[i].slot, i == 2 ? 0 : LIBRARY_SLOT_NONE);
         assert_true((library.lines[i].why[0] == '\0') == (i == 2));
     }
-    assert_string_equal(library.lines[0].file, "a.kfish");
+    assert_string_equal(library.lines[0].file, "species/a.kfish");
     assert_string_equal(library.lines[0].why, "magic: the file is not a packed species");
 }
 
@@ -121,8 +121,8 @@ static void test_rejected_files_are_reported_in_order(void **state)
     library_note_graph(&library, "graphs/wakin.graph:3: wakin has 5 keys");
     library_note_graph(&library, "no reason");
     assert_int_equal(library_fault_count(&library), 3);
-    assert_string_equal(library_fault(&library, 0).file, "a.kfish");
-    assert_string_equal(library_fault(&library, 1).file, "c.kfish");
+    assert_string_equal(library_fault(&library, 0).file, "species/a.kfish");
+    assert_string_equal(library_fault(&library, 1).file, "species/c.kfish");
     assert_string_equal(library_fault(&library, 1).why, library.lines[2].why);
     assert_string_equal(library_fault(&library, 2).file, "graphs/wakin.graph:3");
     assert_string_equal(library_fault(&library, 2).why, "wakin has 5 keys");
@@ -157,7 +157,7 @@ static void test_control_characters_are_removed_from_reported_names(void **state
     put_text("\033[31m\n.kfish", "");
     library_fill(&library, data);
     assert_int_equal(library.line_count, 1);
-    assert_string_equal(library.lines[0].file, "?[31m?.kfish");
+    assert_string_equal(library.lines[0].file, "species/?[31m?.kfish");
     assert_string_equal(library.lines[0].why, "magic: the file is not a packed species");
 }
 
