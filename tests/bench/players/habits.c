@@ -39,9 +39,10 @@ const struct habits sim_player_table[] = {
         .rise_s = 0.75f, .carry_px_s = 800.0f,
     },
     { .name = "careful", CAREFUL },
-    /* This player follows the hint on the screen and turns the wheel away from the body before the
-     * dip. This raises the far edge of the ring, so that the dip is less slanted. */
-    { .name = "careful-tilt", CAREFUL, .tilt_notches = 1.0f },
+    /* This player turns the wheel away from the body before the dip, so that the far edge is higher
+     * and the dip is less slanted, and levels the ring under water. With a ring that stays tilted
+     * until the lift, the gain at level master is only half as large. */
+    { .name = "careful-tilt", CAREFUL, .tilt_notches = 1.0f, .levels = true },
     /* This player turns the wheel in the other direction, so that the dip is more slanted, and
      * levels the ring under water. */
     { .name = "careful-slant", CAREFUL, .tilt_notches = -3.0f, .levels = true },

@@ -44,9 +44,9 @@ static void *work(void *self)
 
 bool round_pool_level(const char *name, uint8_t *level)
 {
-    for (uint8_t i = 0; i < LEVEL_COUNT; i++) {
-        if (strcmp(name, rules_of_level(i)->name) == 0) {
-            *level = i;
+    for (uint32_t i = 0; i < LEVEL_COUNT; i++) {
+        if (strcmp(name, rules_of_level((uint8_t)i)->name) == 0) {
+            *level = (uint8_t)i;
             return true;
         }
     }
