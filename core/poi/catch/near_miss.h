@@ -12,10 +12,10 @@
 
 /* Shortest time between two announcements for one poi. Most dips of a beginner fail, and an
  * announcement after each of these dips would disturb. */
-#define NEAR_MISS_APART_TICKS (8u * CORE_TICK_HZ)
+#define NEAR_MISS_APART_TICKS (25u * CORE_TICK_HZ)
 /* Largest horizontal distance from the outer edge of the ring at which an escaped fish is a near
  * miss. */
-#define NEAR_MISS_RIM_M 0.03f
+#define NEAR_MISS_RIM_M 0.02f
 /* Longest time from the last tick in which the fish was over the paper to the lift of the poi.
  * After this time, the escape of the fish is no near miss. */
 #define NEAR_MISS_LIFT_TICKS (2u * CORE_TICK_HZ / 5u)
