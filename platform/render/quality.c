@@ -29,7 +29,7 @@ static const struct machine cpu = { true, 1280.0f * 720.0f, 0.6f, 1, 130.0f };
 /* Limits for the GPU of a single-board computer, which shares its memory with the CPU. On a V3D
  * GPU, writing and resolving 4 samples of a full screen takes most of the memory bandwidth of a
  * frame. Instead of multisampling, the shaders blend the outlines, as they do on a CPU. */
-static const struct machine board = { false, 1600.0f * 900.0f, 0.75f, 1, 120.0f };
+static const struct machine board = { false, 1600.0f * 900.0f, 0.5f, 1, 120.0f };
 static const struct machine desktop = { false, 3840.0f * 2160.0f, 1.0f, 4, 24.0f };
 
 /* Table of parts of the GL_RENDERER string. The first entry that occurs in the string is used. If
