@@ -38,8 +38,8 @@ layout(location = 8) in vec4 surface; // u, v, part / 255, flexibility.
 #if CURVES > 1
 layout(location = 12) in vec4 masks;  // Weight of each curve in the vertex's motion. The sum is 1.
 #endif
-layout(location = 13) in vec2 rides;  // x: index of the vertex's anchor; 255 means none. y: side of
-                                      // a paired part.
+layout(location = 13) in vec3 rides;  // x: index of the vertex's anchor; 255 means none. y: side of
+                                      // a paired part. z: 1 for the vertex that closes the snout.
 
 uniform float reach;                  // Length in body lengths for which the attribute value 1
                                       // stands.

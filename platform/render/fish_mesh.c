@@ -13,7 +13,7 @@
  * flexibility of the vertex. */
 #define SURFACE_SIZE 4u
 /* Size in bytes of the vertex attribute with the anchor (the point of the skin to which the vertex
- * is attached), the side of the body, and two bytes of padding. */
+ * is attached), the side of the body, the flag of is_snout_end(), and one byte of padding. */
 #define RIDES_SIZE 4u
 /* Size in bytes of the vertex attribute with the paint coordinates, which are two 16-bit
  * fractions. */
@@ -21,6 +21,15 @@
 #define BYTES_SIZE (SURFACE_SIZE + MORPH_CURVE_MAX + RIDES_SIZE)
 #define REST_SIZE (BYTES_SIZE + PAINT_SIZE_BYTES)
 _Static_assert(MORPH_KEY_MAX *KEY_SIZE + REST_SIZE == FISH_VERTEX_SIZE_MAX, "as fish_mesh.h");
+
+/* Returns true for the vertex that closes the snout, which lies on the axis of the body. The first
+ * ring of vertices around the mouth has the same body coordinate, but its normals point outward. */
+static bool is_snout_end(const struct species_mesh *source, uint32_t index)
+{
+    const struct species_vertex *const vertex = &source->vertices[index];
+    return vertex->part == PART_BODY && vertex->u <= 0.002f &&
+           morph_normal(source->points[0][index].normal).z <= -0.95f;
+}
 
 static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_t key_count,
                         uint32_t index)
@@ -35,6 +44,7 @@ static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_
     memcpy(rest + SURFACE_SIZE, vertex->mask, MORPH_CURVE_MAX);
     rest[SURFACE_SIZE + MORPH_CURVE_MAX] = vertex->anchor;
     rest[SURFACE_SIZE + MORPH_CURVE_MAX + 1u] = vertex->side;
+    rest[SURFACE_SIZE + MORPH_CURVE_MAX + 2u] = is_snout_end(source, index);
     float uv[2];
     paint_atlas_find(vertex, uv);
     const uint16_t paint[2] = { (uint16_t)(uv[0] * 65535.0f + 0.5f),
@@ -94,7 +104,7 @@ void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
     }
     gl_attribute_bytes(FISH_ATTRIBUTE_SURFACE, 4, true, stride, rest);
     gl_attribute_bytes(FISH_ATTRIBUTE_MASKS, 4, true, stride, rest + SURFACE_SIZE);
-    gl_attribute_bytes(FISH_ATTRIBUTE_RIDES, 2, false, stride,
+    gl_attribute_bytes(FISH_ATTRIBUTE_RIDES, 3, false, stride,
                        rest + SURFACE_SIZE + MORPH_CURVE_MAX);
     glEnableVertexAttribArray(FISH_ATTRIBUTE_PAINT);
     glVertexAttribPointer(FISH_ATTRIBUTE_PAINT, 2, GL_UNSIGNED_SHORT, GL_TRUE, (GLsizei)stride,
