@@ -7,7 +7,12 @@ uniform vec4 paint;
 uniform sampler2D caustics;
 out vec4 color;
 
-#ifdef WATER
+#ifdef HOLE
+void main()
+{
+    color = vec4(0.0); // The colour mask of bowl_pass_hole() discards the colour.
+}
+#elif defined(WATER)
 void main()
 {
     vec3 view = normalize(eye.xyz - world);
@@ -43,7 +48,7 @@ void main()
     tint *= mix(vec3(1.0), vec3(0.70, 0.94, 1.02), drowned);
     tint *= 1.0 + inside * (light - 0.25) * 0.55 * drowned;
     float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
-    float lamps = 1.0 - 0.7 * shade_at(world, bend.z);
+    float lamps = 1.0 - 0.7 * shade_above(world);
     tint = (tint + pow(shine, 60.0) * 0.22) * lamps;
     float depth = inside > 0.5 ? 0.0 : -world.y;
     vec3 left = water_passes(depth * 1.2);

@@ -15,12 +15,14 @@ layout(std140) uniform Frame {
     vec4 shadow;     // xy: factors from world x, z to the shadow map's -1 .. 1. zw: sideways drift
                      // of a shadow in m per m of height.
     vec4 bend;       // xy: shift of the refracted picture, as a fraction of the screen, per unit of
-                     // surface slope in x and in z. z: number of fans in `shades`. w: number of all
-                     // entries.
+                     // surface slope in x and in z.
     vec4 placed;     // Columns of the matrix that rotates the picture on the screen.
-    vec4 shades[8];  // Circular shadows: centre x and z in m, radius in m, and darkness. The fans
-                     // come first, then the dry pois.
+    vec4 shade_map;  // xy: factors from world x, z to the shade map's -0.5 .. 0.5.
 };
+
+// Fractions of light that circular shades absorb, seen from above (shade.frag.glsl). r, g: fans only,
+// at the water surface and at the floor. b, a: fans and dry pois, likewise.
+uniform sampler2D shades;
 
 const vec3 WATER_COLOR = vec3(0.09, 0.42, 0.53);
 const vec3 LAMP_DIRECTION = vec3(0.251, 0.955, 0.151); // Direction from any point to the lamps of
@@ -36,19 +38,21 @@ vec3 water_passes(float path_m)
     return exp(-max(path_m, 0.0) * screen.z * vec3(1.25, 0.55, 0.45));
 }
 
-// Returns the fraction of light that shades 0 to count - 1 absorb at point `at`. The light falls
-// from straight above, as in core/tank/shade.h, in which the fish detect shade. The edge of a shade
-// blurs with the depth.
-float shade_at(vec3 at, float count)
+// Returns the fractions of light that are absorbed at point `at`, above or below the water, by the
+// shades of the fans (x), and by the shades of the fans and of the dry pois (y). The light falls from
+// straight above, as in core/tank/shade.h, in which the fish detect shade. The edge of a shade blurs
+// with the depth.
+vec2 shades_at(vec3 at)
 {
-    float light = 1.0;
-    float blur = 0.010 + 0.10 * max(-at.y, 0.0);
-    for (int i = 0; i < int(count); i++) {
-        float r = length(at.xz - shades[i].xy);
-        light *= 1.0 - shades[i].w
-            * (1.0 - smoothstep(shades[i].z - blur, shades[i].z + blur, r));
-    }
-    return 1.0 - light;
+    vec4 map = texture(shades, at.xz * shade_map.xy + 0.5);
+    return mix(map.rb, map.ga, clamp(-at.y / tank.y, 0.0, 1.0));
+}
+
+// Returns the fraction of light that the shades of the fans absorb at the height of the water surface
+// or above.
+float shade_above(vec3 at)
+{
+    return texture(shades, at.xz * shade_map.xy + 0.5).r;
 }
 
 // Returns the red of a goldfish with this hue. The colours range from vermilion to, rarely, orange.

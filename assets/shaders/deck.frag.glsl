@@ -31,7 +31,7 @@ void main()
     vec2 lantern = vec2(abs(world.x) - 0.66, world.z + 0.30);
     float glow = 1.0 / (1.0 + dot(lantern, lantern) * 26.0);
     vec3 light = vec3(0.16 + 1.15 * pool * pool) + vec3(1.25, 0.62, 0.26) * (glow * glow);
-    light *= 1.0 - 0.8 * shade_at(world, bend.z);
+    light *= 1.0 - 0.8 * shade_above(world);
     color = vec4(tint * light * (0.35 + 0.65 * contact), 1.0);
 }
 #elif defined(RIM)
@@ -56,7 +56,7 @@ void main()
     float inner = clamp(width / pixel, 0.0, 1.0);
     bool near_plank = !across && world.z > 0.0;
     float seen = near_plank ? inner : clamp((1.0 - width) / pixel, 0.0, 1.0);
-    lamp *= 1.0 - 0.8 * shade_at(world, bend.z);
+    lamp *= 1.0 - 0.8 * shade_above(world);
     lamp *= near_plank ? 1.0 : 0.4 + 0.6 * inner;
     color = vec4(tint * ((1.0 + bevel) * joined * lamp) * vec3(1.10, 0.99, 0.86), 1.0) * seen;
 }

@@ -65,12 +65,14 @@ void colour()
 #ifndef FIN
 // Opens the mouth and returns its visibility as a dark throat. A carp's mouth protrudes and its
 // lower jaw drops. The vertex that closes the snout moves inward and becomes the throat.
-float open_mouth(inout vec3 p, vec3 n)
+float open_mouth(inout vec3 p)
 {
     float body = 1.0 - step(0.5, surface.z * 255.0);
     float lips = gulp.x * body * (1.0 - smoothstep(0.0, JAWS, surface.x));
     float under = 1.0 - abs(surface.y * 2.0 - 1.0);
-    float pole = body * step(surface.x, 0.002) * step(n.z, -0.95 * length(n));
+    // The position must not depend on the normal, so that the binning shader, which computes only
+    // positions, blends no normals.
+    float pole = rides.z;
     p.y += lips * mix(0.010, -0.022, smoothstep(0.30, 0.70, under)) * (1.0 - pole);
     p.z -= lips * 0.014 * (1.0 - 4.0 * pole);
     return gulp.x * pole;
@@ -84,7 +86,7 @@ void main()
     morph(int(gulp.z + 0.5), p, n);
 
 #ifndef FIN
-    float throat = open_mouth(p, n);
+    float throat = open_mouth(p);
 #endif
 
     // The swimming wave travels along the spine. Its amplitude envelope was measured on cruising
@@ -153,7 +155,8 @@ void main()
     float light = diffuse * (1.0 + (caustic * 2.4 - 0.55) * max(n.y, 0.0) * (1.0 - wet));
     // Above the water only the shades of fans count, because a fish above the water lies on the poi
     // that casts the shade.
-    float shade = shade_at(world, world.y < 0.0 ? bend.w : bend.z);
+    vec2 shade_here = shades_at(world);
+    float shade = world.y < 0.0 ? shade_here.y : shade_here.x;
     light *= 1.0 - 0.85 * shade;
     vec3 left = water_passes(depth * 1.2);
 #ifdef FIN

@@ -22,7 +22,7 @@ void main()
     vec3 n = normalize(face);
     vec3 view = normalize(eye.xyz - world);
     float lit = 0.52 + 0.55 * max(dot(n, LAMP_DIRECTION), 0.0);
-    lit *= 1.0 - 0.7 * shade_at(world, bend.z);
+    lit *= 1.0 - 0.7 * shade_above(world);
     float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
     shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;
     float facing = dot(n, view);

@@ -62,7 +62,7 @@ void main()
     vec3 n = normalize(face);
     n *= sign(dot(n, view)); // The normal is turned to the face that the viewer sees.
     float lit = 0.66 + 0.40 * max(dot(n, LAMP_DIRECTION), 0.0);
-    lit *= 1.0 - 0.7 * shade_at(world, bend.z);
+    lit *= 1.0 - 0.7 * shade_above(world);
     vec3 dry = vec3(1.0, 0.975, 0.925) * (0.80 + 0.32 * fibre);
     vec3 soaked = vec3(0.74, 0.83, 0.85) * (0.74 + 0.46 * fibre);
     vec3 load = mix(dry, heat(cell.a) * (0.62 + 0.66 * fibre), 0.88 + 0.10 * wet);

@@ -8,7 +8,7 @@ const vec3 VINYL = vec3(0.53, 0.88, 0.97);
 void main()
 {
     float depth = -world.y;
-    float shade = shade_at(world, bend.z);
+    float shade = shades_at(world).x;
     vec3 base = VINYL;
 #ifdef FLOOR
     vec2 edge = tank.xz - abs(world.xz);

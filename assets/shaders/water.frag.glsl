@@ -38,7 +38,7 @@ void main()
     float edge = min(tank.x - abs(world.x), tank.z - abs(world.z));
     float line = 1.0 - smoothstep(0.0, 0.004, edge);  // Bright line where the water meets the walls
                                                       // (the meniscus).
-    float lit = 1.0 - shade_at(world, bend.z);      // A fan also hides the lamps from the water.
+    float lit = 1.0 - shade_above(world);      // A fan also hides the lamps from the water.
     lantern *= lit;
     glint *= lit;
     below *= 1.0 + clamp((slope.x + slope.y) * 0.6, -0.10, 0.14);

@@ -30,6 +30,10 @@
  * The physically correct value is 0.25. A larger value makes refraction more visible. */
 #define REFRACTION 0.36f
 
+/* Width in m of the area around the tank that the shade map contains. A shadow outside this area is
+ * not drawn. */
+#define SHADE_MAP_MARGIN_M 0.4f
+
 static void multiply(float out[16], const float a[16], const float b[16])
 {
     for (int column = 0; column < 4; column++) {
@@ -85,6 +89,29 @@ static void set_camera(struct frame *frame, const struct view *view,
     frame->view.focal_px = 0.5f * transform->height / tan_y;
 }
 
+/* Only fish under water receive the shadows of fans and pois. All other objects receive only the
+ * fans' shadows. The floor gets the pois' shadows from the shadow map, because the shadow map shows
+ * the holes in the paper. */
+static void list_shades(struct frame_shades *shades, const struct scene *scene)
+{
+    shades->count = 0;
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        const struct scene_fan *const fan = &scene->fan[i];
+        if (fan->present) {
+            frame_block_set(shades->circles[shades->count++], fan->x_m, fan->z_m, fan->radius_m,
+                            fan->dark);
+        }
+    }
+    shades->fan_count = shades->count;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct scene_poi *const poi = &scene->poi[i];
+        if (poi->present && poi->shade_dark > 0.0f) {
+            frame_block_set(shades->circles[shades->count++], poi->position_m.x, poi->position_m.z,
+                            poi->ring_radius_m, poi->shade_dark);
+        }
+    }
+}
+
 void frame_begin(struct frame *frame, const struct scene *scene,
                  const struct display_transform *transform)
 {
@@ -107,26 +134,9 @@ void frame_begin(struct frame *frame, const struct scene *scene,
     frame_block_set(frame->block.bend, 0.5f * shift_m / (half_height_m * aspect),
                     0.5f * shift_m / half_height_m * v3_dot(axes.up, v3(0.0f, 0.0f, 1.0f)), 0.0f,
                     0.0f);
-    /* `shades` lists the circular shadows of the hand-held fans, then the circular shadows of the
-     * pois (paper scoops). Shaders apply the circular shadows of both to fish under water, and only
-     * those of the fans to all other objects. The floor has the pois' shadows from the shadow map,
-     * which also shows the holes in the paper. */
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        const struct scene_fan *const fan = &scene->fan[i];
-        if (fan->present) {
-            frame_block_set(block->shades[count++], fan->x_m, fan->z_m, fan->radius_m, fan->dark);
-        }
-    }
-    block->bend[2] = (float)count;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        const struct scene_poi *const poi = &scene->poi[i];
-        if (poi->present && poi->shade_dark > 0.0f) {
-            frame_block_set(block->shades[count++], poi->position_m.x, poi->position_m.z,
-                            poi->ring_radius_m, poi->shade_dark);
-        }
-    }
-    block->bend[3] = (float)count;
+    list_shades(&frame->shades, scene);
+    frame_block_set(block->shade_map, 1.0f / (size.x + 2.0f * SHADE_MAP_MARGIN_M),
+                    1.0f / (size.z + 2.0f * SHADE_MAP_MARGIN_M), 0.0f, 0.0f);
     frame_block_set(block->eye, scene->view.eye_m.x, scene->view.eye_m.y, scene->view.eye_m.z,
                     seconds);
     frame_block_set(block->tank, 0.5f * size.x, size.y, 0.5f * size.z,

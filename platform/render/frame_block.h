@@ -8,7 +8,7 @@
 #include "platform/render/gl_util.h"
 
 #define FRAME_SHADE_MAX (SHADE_MAX + POI_MAX)
-_Static_assert(FRAME_SHADE_MAX == 8, "as many as in common.glsl");
+_Static_assert(FRAME_SHADE_MAX == 8, "as many as in shade.frag.glsl");
 
 struct frame_block {
     float view_projection[16]; /* Matrix from world to clip space, column-major. */
@@ -18,9 +18,9 @@ struct frame_block {
     float shadow[4];
     float bend[4];
     float placed[4];
-    float shades[FRAME_SHADE_MAX][4];
+    float shade_map[4];
 };
-_Static_assert(sizeof(struct frame_block) == 288, "the block has the layout of common.glsl");
+_Static_assert(sizeof(struct frame_block) == 176, "the block has the layout of common.glsl");
 
 /* Values of the camera that the C code reads. The shaders do not read these values. */
 struct frame_view {
@@ -29,10 +29,17 @@ struct frame_view {
     float focal_px;
 };
 
+/* Circular shadows of the hand-held fans, then of the dry pois. */
+struct frame_shades {
+    float circles[FRAME_SHADE_MAX][4]; /* Centre x and z in m, radius in m, and darkness. */
+    uint32_t fan_count, count;         /* Number of fans, and number of all circles. */
+};
+
 struct frame {
     GLuint buffer;
     struct frame_block block;
     struct frame_view view;
+    struct frame_shades shades;
 };
 
 /* Computes the uniform block for `scene` with the display geometry `transform`, and uploads the

@@ -314,6 +314,7 @@ void gl_program_bind(GLuint program, const char *samplers)
     char name[NAME_SIZE];
     GLint unit = 0;
     glUseProgram(program);
+    glUniform1i(glGetUniformLocation(program, "shades"), (GLint)GL_UNIT_SHADES);
     while (*samplers) {
         const size_t length = strcspn(samplers, " ");
         snprintf(name, sizeof name, "%.*s", (int)length, samplers);

@@ -112,6 +112,8 @@ void gl_attribute_floats(GLuint location, GLint count, size_t stride, size_t off
 void gl_attribute_bytes(GLuint location, GLint count, bool is_fraction, size_t stride,
                         size_t offset);
 
+/* Texture unit of the sampler `shades` of common.glsl, which light_pass.c binds once a frame. */
+#define GL_UNIT_SHADES 5u
 #define GL_UNIT_MAX 5u /* Maximum number of texture units that one program reads. */
 
 /* Compiles one shader stage from `count` pieces of source code. The caller deletes the shader after

@@ -123,6 +123,7 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     basin_pass_prepare(&renderer->basin, scene);
     poi_pass_prepare(&renderer->poi, scene);
     step_done(renderer, STEP_PREPARE);
+    light_pass_shades(&renderer->light, &renderer->frame.shades);
     light_pass_caustics(&renderer->light, &renderer->textures);
     light_pass_shadows(&renderer->light, scene, &renderer->fish, &renderer->poi);
     step_done(renderer, STEP_LIGHT);

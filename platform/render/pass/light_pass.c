@@ -13,6 +13,10 @@
  * of any shadow. */
 #define SHADOW_WIDTH 512u
 #define SHADOW_HEIGHT 320u
+/* Size of the shade map in texels. A texel is 9 mm wide in the festival tank. The edge of a shade is
+ * at least 20 mm wide. */
+#define SHADE_MAP_WIDTH 192u
+#define SHADE_MAP_HEIGHT 144u
 #define DEFINES_SIZE 48
 
 void light_pass_open(struct gl_status *status, struct light_pass *pass)
@@ -28,6 +32,13 @@ void light_pass_open(struct gl_status *status, struct light_pass *pass)
     pass->disc_slant = glGetUniformLocation(pass->disc_program, "slant");
     pass->disc_pose = glGetUniformLocation(pass->disc_program, "pose");
     pass->disc_softness = glGetUniformLocation(pass->disc_program, "softness");
+    pass->shade_program = gl_program(status, "shades", "", shader_fill_vert, shader_shade_frag, "");
+    pass->shade_circles = glGetUniformLocation(pass->shade_program, "circles");
+    pass->shade_counts = glGetUniformLocation(pass->shade_program, "counts");
+    gl_target_open(status, "shades", &pass->shade_map,
+                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                             .width = SHADE_MAP_WIDTH,
+                                             .height = SHADE_MAP_HEIGHT });
     glGenVertexArrays(1, &pass->no_attributes);
     glGenVertexArrays(1, &pass->casters);
     gl_target_open(status, "caustics", &pass->caustics,
@@ -49,15 +60,35 @@ void light_pass_close(struct light_pass *pass)
     glDeleteVertexArrays(1, &pass->casters);
     gl_target_close(&pass->caustics);
     gl_target_close(&pass->shadows);
+    glDeleteProgram(pass->shade_program);
+    gl_target_close(&pass->shade_map);
 }
 
 void light_pass_caustics(const struct light_pass *pass, const struct textures *textures)
 {
+    static const GLenum old = GL_COLOR_ATTACHMENT0;
     gl_target_bind(&pass->caustics);
+    /* The old tile is invalidated, so that a tiled GPU does not load it before it is drawn over. */
+    glInvalidateFramebuffer(GL_FRAMEBUFFER, 1, &old);
     glUseProgram(pass->caustics_program);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, textures->caustics);
     glBindVertexArray(pass->no_attributes);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void light_pass_shades(const struct light_pass *pass, const struct frame_shades *shades)
+{
+    gl_target_bind(&pass->shade_map);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (shades->count > 0) {
+        glUseProgram(pass->shade_program);
+        glUniform4fv(pass->shade_circles, FRAME_SHADE_MAX, shades->circles[0]);
+        glUniform2f(pass->shade_counts, (float)shades->fan_count, (float)shades->count);
+        glBindVertexArray(pass->no_attributes);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    gl_bind_texture(GL_UNIT_SHADES, GL_TEXTURE_2D, pass->shade_map.texture);
 }
 
 static void disc_shadow(const struct light_pass *pass, const float pose[16], float height_m,

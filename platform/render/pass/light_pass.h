@@ -17,6 +17,9 @@ struct light_pass {
     struct gl_target caustics;
     /* Shadow map of the floor, seen from above. A value of 0 means that the floor is fully lit. */
     struct gl_target shadows;
+    struct gl_target shade_map; /* Texture `shades` of common.glsl. */
+    GLuint shade_program;
+    GLint shade_circles, shade_counts;
 };
 
 void light_pass_open(struct gl_status *status, struct light_pass *pass);
@@ -24,6 +27,9 @@ void light_pass_close(struct light_pass *pass);
 
 /* Draws the tile of caustics at the current time. */
 void light_pass_caustics(const struct light_pass *pass, const struct textures *textures);
+
+/* Draws the shade map, and binds it to GL_UNIT_SHADES for all later programs. */
+void light_pass_shades(const struct light_pass *pass, const struct frame_shades *shades);
 
 /* Draws the shadow map. Must be called after fish_pass_prepare() and poi_pass_prepare(). */
 void light_pass_shadows(const struct light_pass *pass, const struct scene *scene,

@@ -28,8 +28,7 @@ void quad_pass_air(const struct quad_pass *pass, const struct scene *scene);
 void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene);
 
 /* Draws the hand-held fans over all other objects of the scene, with blending. The render target
- * needs no depth buffer. The frame block (frame_block.h) contains the fans' shadows, so that every
- * shader that draws objects below the fans can apply them. */
+ * needs no depth buffer. The shade map (light_pass.h) contains the fans' shadows. */
 void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene,
                     const struct textures *textures);
 
