@@ -11,10 +11,11 @@
 /* A kind of graphics hardware, with the amount of drawing that this hardware can do in a frame. */
 struct machine {
     bool software;
-    float pixels;      /* Maximum number of scene pixels in a frame, regardless of the screen
+    float pixels;       /* Maximum number of scene pixels in a frame, regardless of the screen
                           size. */
-    float floor_scale; /* Resolution of the floor and the walls, which have no fine detail, as a
+    float floor_scale;  /* Resolution of the floor and the walls, which have no fine detail, as a
                           fraction of the scene's resolution. */
+    float mirror_scale; /* Resolution of the reflections on the water surface, likewise. */
     uint32_t samples;
     float lod_near_px; /* Minimum fish length in pixels from which the near mesh is used. In a
                           shorter fish, the triangles of the near mesh would cover only a few pixels
@@ -25,12 +26,12 @@ struct machine {
 
 /* Limits for rendering on a CPU. Two CPU cores of a single-board computer draw 1280x720 scene
  * pixels in 20 ms. */
-static const struct machine cpu = { true, 1280.0f * 720.0f, 0.6f, 1, 130.0f };
+static const struct machine cpu = { true, 1280.0f * 720.0f, 0.6f, 0.5f, 1, 130.0f };
 /* Limits for the GPU of a single-board computer, which shares its memory with the CPU. On a V3D
  * GPU, writing and resolving 4 samples of a full screen takes most of the memory bandwidth of a
  * frame. Instead of multisampling, the shaders blend the outlines, as they do on a CPU. */
-static const struct machine board = { false, 1600.0f * 900.0f, 0.5f, 1, 120.0f };
-static const struct machine desktop = { false, 3840.0f * 2160.0f, 1.0f, 4, 24.0f };
+static const struct machine board = { false, 1600.0f * 900.0f, 0.5f, 0.4f, 1, 120.0f };
+static const struct machine desktop = { false, 3840.0f * 2160.0f, 1.0f, 1.0f, 4, 24.0f };
 
 /* Table of parts of the GL_RENDERER string. The first entry that occurs in the string is used. If
  * no entry occurs in the string, the hardware counts as a desktop GPU. */
@@ -62,6 +63,7 @@ struct quality quality_choose(const struct quality_request *request)
         quality.scene_scale = f_clamp(request->scene_scale, 0.25f, 2.0f);
     }
     quality.floor_scale = quality.scene_scale * machine->floor_scale;
+    quality.mirror_scale = quality.scene_scale * machine->mirror_scale;
     if (request->samples > 0) {
         quality.samples = request->samples;
     }
@@ -75,6 +77,7 @@ struct quality quality_choose(const struct quality_request *request)
     const float scale_max = (float)request->side_max / (float)side;
     quality.scene_scale = f_min(quality.scene_scale, scale_max);
     quality.floor_scale = f_min(quality.floor_scale, scale_max);
+    quality.mirror_scale = f_min(quality.mirror_scale, scale_max);
     if (side > request->side_max) {
         quality.samples = 1;
     }
@@ -93,6 +96,7 @@ struct quality quality_lower(const struct quality *best, uint32_t step)
         quality.samples = 1;
         quality.scene_scale = f_max(of_best * best->scene_scale, 0.25f);
         quality.floor_scale = f_max(of_best * best->floor_scale, 0.2f);
+        quality.mirror_scale = f_max(of_best * best->mirror_scale, 0.2f);
         quality.lod_near_px = best->lod_near_px / of_best;
     }
     return quality;

@@ -24,6 +24,9 @@ struct quality {
     /* Width of the picture of the tank's floor and walls, divided by the width of the screen, (0,
      * 2]. The floor and the walls have no fine detail. */
     float floor_scale;
+    /* Width of the picture of the reflections on the water surface, divided by the width of the
+     * screen, (0, 2]. */
+    float mirror_scale;
     /* Number of multisampling samples of the scene and the screen. 1 means no multisampling. */
     uint32_t samples;
     /* Fish length from which the near mesh is drawn, in pixels of the render target. Shorter fish

@@ -136,14 +136,18 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
                       renderer->light.shadows.texture);
     step_done(renderer, STEP_GROUND);
     draw_life(renderer, scene);
+    gl_target_bind(&renderer->mirror);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.5f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    basin_pass_mirror(&renderer->basin, &renderer->textures);
     /* The water surface writes depth, so that objects drawn later are visible only above the
      * surface. Inside the mouth of each bowl, the depth of the tank's water surface is then
      * removed. */
     bind_screen(renderer);
     glClearColor(0.02f, 0.015f, 0.02f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    basin_pass_water(&renderer->basin, &renderer->textures, renderer->ground.texture,
-                     renderer->life.texture);
+    basin_pass_water(&renderer->basin, renderer->ground.texture, renderer->life.texture,
+                     renderer->mirror.texture);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
             bowl_pass_hole(&renderer->bowl, &scene->bowl[i]);

@@ -50,6 +50,10 @@ static void open_targets(struct renderer *renderer)
                                              .height = scaled(height, quality->scene_scale),
                                              .samples = quality->samples,
                                              .depth = true });
+    gl_target_open(&renderer->status, "mirror", &renderer->mirror,
+                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                             .width = scaled(width, quality->mirror_scale),
+                                             .height = scaled(height, quality->mirror_scale) });
     if (quality->samples > 1) {
         gl_target_open(&renderer->status, "screen", &renderer->screen,
                        &(struct gl_target_desc){ .internal_format = GL_RGBA8,
@@ -64,6 +68,7 @@ static void close_targets(struct renderer *renderer)
 {
     gl_target_close(&renderer->ground);
     gl_target_close(&renderer->life);
+    gl_target_close(&renderer->mirror);
     gl_target_close(&renderer->screen);
 }
 

@@ -27,6 +27,7 @@ enum basin_part {
     PART_COUNTER,
     PART_SIDES,
     PART_RIM,
+    PART_MIRROR,
     PART_END = BASIN_PARTS
 };
 
@@ -67,10 +68,12 @@ static const struct face faces[] = {
     { { -2, 1, 1 }, { 2, 1, 1 }, { 2, 1, 2 }, { -2, 1, 2 }, UP },
     { { -2, 1, -1 }, { -1, 1, -1 }, { -1, 1, 1 }, { -2, 1, 1 }, UP },
     { { 1, 1, -1 }, { 2, 1, -1 }, { 2, 1, 1 }, { 1, 1, 1 }, UP },
+    /* Reflections on the water surface. */
+    { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 0, 1 }, { -1, 0, 1 }, UP },
 };
 #define FACE_COUNT (sizeof faces / sizeof *faces)
 
-static const uint8_t part_faces[PART_END + 1] = { 0, 1, 5, 6, 10, 14, FACE_COUNT };
+static const uint8_t part_faces[PART_END + 1] = { 0, 1, 5, 6, 10, 14, 18, FACE_COUNT };
 
 /* Shader program of each part of the tank. */
 static const struct {
@@ -80,10 +83,12 @@ static const struct {
                      "caustics shadows" },
     [PART_WALLS] = { "walls", "", shader_tank_vert, shader_tank_frag, "caustics" },
     [PART_SURFACE] = { "water", "", shader_water_vert, shader_water_frag,
-                       "ground life slopes environment" },
+                       "ground life slopes mirror" },
     [PART_COUNTER] = { "counter", "#define COUNTER\n", shader_deck_vert, shader_deck_frag, "wood" },
     [PART_SIDES] = { "rim sides", "", shader_deck_vert, shader_deck_frag, "wood" },
     [PART_RIM] = { "rim", "#define RIM\n", shader_deck_vert, shader_deck_frag, "wood" },
+    [PART_MIRROR] = { "mirror", "#define MIRROR\n", shader_water_vert, shader_mirror_frag,
+                      "slopes environment" },
 };
 
 static void draw_part(const struct basin_pass *pass, enum basin_part part)
@@ -237,12 +242,18 @@ void basin_pass_deck(const struct basin_pass *pass, const struct textures *textu
     glDepthMask(GL_TRUE);
 }
 
-void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,
-                      GLuint life)
+void basin_pass_mirror(const struct basin_pass *pass, const struct textures *textures)
+{
+    gl_bind_texture(0, GL_TEXTURE_2D, gl_ring_texture(&pass->slope_ring));
+    gl_bind_texture(1, GL_TEXTURE_2D, textures->environment);
+    draw_part(pass, PART_MIRROR);
+}
+
+void basin_pass_water(const struct basin_pass *pass, GLuint ground, GLuint life, GLuint mirror)
 {
     gl_bind_texture(0, GL_TEXTURE_2D, ground);
     gl_bind_texture(1, GL_TEXTURE_2D, life);
     gl_bind_texture(2, GL_TEXTURE_2D, gl_ring_texture(&pass->slope_ring));
-    gl_bind_texture(3, GL_TEXTURE_2D, textures->environment);
+    gl_bind_texture(3, GL_TEXTURE_2D, mirror);
     draw_part(pass, PART_SURFACE);
 }

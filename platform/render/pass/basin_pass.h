@@ -6,8 +6,8 @@
 #include "platform/render/textures.h"
 
 /* Number of parts with a shader program of their own: the floor, the walls, the water surface, the
- * counter, the sides of the rim, and the top of the rim. */
-#define BASIN_PARTS 6u
+ * counter, the sides of the rim, the top of the rim, and the reflections on the water. */
+#define BASIN_PARTS 7u
 
 struct basin_pass {
     GLuint programs[BASIN_PARTS];
@@ -32,7 +32,10 @@ void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint sh
 /* Draws the rim and the counter. The depth test hides the parts behind nearer objects. The rim and
  * the counter write no depth, because a poi (paper scoop) is always held over the rim. */
 void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures);
+/* Draws the reflections on the water surface, at low resolution, into a render target of their
+ * own. */
+void basin_pass_mirror(const struct basin_pass *pass, const struct textures *textures);
 /* Draws the water surface and writes its depth. `ground` is the texture with the floor and the
- * walls. `life` is the texture with all other objects under water. */
-void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,
-                      GLuint life);
+ * walls. `life` is the texture with all other objects under water. `mirror` is the texture with the
+ * reflections. */
+void basin_pass_water(const struct basin_pass *pass, GLuint ground, GLuint life, GLuint mirror);

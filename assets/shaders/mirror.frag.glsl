@@ -1,0 +1,32 @@
+// Reflections on the water surface at low resolution: the stall's lanterns in the waves. The water
+// surface (water.frag.glsl) reads this picture. rgb: reflected light. a: brightness of the refracted
+// picture, as MIRROR_GAIN in water.frag.glsl decodes it.
+in vec3 world;
+uniform sampler2D slopes;
+uniform sampler2D environment;
+out vec4 color;
+
+void main()
+{
+    vec2 slope = texture(slopes, world.xz / tank.xz * 0.5 + 0.5).rg;
+    vec3 view = normalize(eye.xyz - world);
+    vec3 normal = normalize(vec3(-slope.x * 1.5, 1.0, -slope.y * 1.5));
+    float facing = dot(normal, view);
+    vec3 mirror = 2.0 * facing * normal - view;
+    float away = 1.0 - facing;
+    float away2 = away * away;
+    float fresnel = 0.02 + 0.98 * away2 * away2 * away;
+    // The lanterns are only about two metres away, so that their reflections move with the position
+    // on the water. Only light sources are drawn as reflections, because only they are visible on
+    // lit water. A light source is far brighter than the maximum of a texel.
+    vec3 toward = mirror + world * 0.55;
+    float lantern = texture(environment, toward.xz / (length(toward) + toward.y) * 0.5 + 0.5).r;
+    lantern = max(lantern - 0.42, 0.0);
+    float glint = max(dot(mirror, vec3(0.100, 0.619, -0.779)), 0.0);
+    glint *= glint; glint *= glint; glint *= glint; glint *= glint;
+    glint *= glint; glint *= glint; glint *= glint; glint *= glint;
+    float lit = 1.0 - shade_above(world);      // A fan also hides the lamps from the water.
+    vec3 light = vec3(1.0, 0.86, 0.62) * min(lantern * lit * (0.10 + 3.0 * fresnel), 0.30)
+        + glint * lit * vec3(0.55, 0.48, 0.36);
+    color = vec4(light, 0.5 + 2.0 * clamp((slope.x + slope.y) * 0.6, -0.10, 0.14));
+}
