@@ -1,6 +1,7 @@
 // The rim and the counter. The shader is compiled in three variants, so that each variant computes
 // only its own part: COUNTER for the counter, RIM for the top of the rim, and neither for the sides
-// of the rim.
+// of the rim. The picture is kept while the camera rests; KEPT draws the picture with the shades of
+// the fans.
 in vec3 world;
 in vec3 face;
 uniform sampler2D wood;
@@ -18,7 +19,13 @@ float lamp_pool(float falloff)
     return 1.0 / (1.0 + dot(world.xz, world.xz) * falloff);
 }
 
-#if defined(COUNTER)
+#if defined(KEPT)
+void main()
+{
+    vec4 kept = texture(wood, gl_FragCoord.xy * screen.xy);
+    color = vec4(kept.rgb * (1.0 - 0.8 * shade_above(world)), kept.a);
+}
+#elif defined(COUNTER)
 void main()
 {
     vec2 past = abs(world.xz) - tank.xz - RIM_M;
@@ -31,7 +38,6 @@ void main()
     vec2 lantern = vec2(abs(world.x) - 0.66, world.z + 0.30);
     float glow = 1.0 / (1.0 + dot(lantern, lantern) * 26.0);
     vec3 light = vec3(0.16 + 1.15 * pool * pool) + vec3(1.25, 0.62, 0.26) * (glow * glow);
-    light *= 1.0 - 0.8 * shade_above(world);
     color = vec4(tint * light * (0.35 + 0.65 * contact), 1.0);
 }
 #elif defined(RIM)
@@ -56,7 +62,6 @@ void main()
     float inner = clamp(width / pixel, 0.0, 1.0);
     bool near_plank = !across && world.z > 0.0;
     float seen = near_plank ? inner : clamp((1.0 - width) / pixel, 0.0, 1.0);
-    lamp *= 1.0 - 0.8 * shade_above(world);
     lamp *= near_plank ? 1.0 : 0.4 + 0.6 * inner;
     color = vec4(tint * ((1.0 + bevel) * joined * lamp) * vec3(1.10, 0.99, 0.86), 1.0) * seen;
 }

@@ -78,7 +78,7 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
             bowl_pass_water(&renderer->bowl, &scene->bowl[i]);
         }
     }
-    basin_pass_deck(&renderer->basin, &renderer->textures);
+    basin_pass_deck(&renderer->basin, renderer->deck.texture);
     quad_pass_drips(&renderer->quad, scene);
     fish_pass_bodies(&renderer->fish, FISH_ON_POI, false, &renderer->textures, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -91,7 +91,7 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
     }
     fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
     glDisable(GL_DEPTH_TEST);
-    quad_pass_fans(&renderer->quad, scene, &renderer->textures);
+    quad_pass_fans(&renderer->quad, scene);
     step_done(renderer, STEP_ABOVE);
 }
 
@@ -122,6 +122,8 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     fish_pass_prepare(&renderer->fish, scene, &renderer->frame.view, &renderer->quality);
     basin_pass_prepare(&renderer->basin, scene);
     poi_pass_prepare(&renderer->poi, scene);
+    basin_pass_keep_deck(&renderer->basin, &renderer->frame.block, &renderer->deck,
+                         &renderer->textures);
     step_done(renderer, STEP_PREPARE);
     light_pass_shades(&renderer->light, &renderer->frame.shades);
     light_pass_caustics(&renderer->light, &renderer->textures);

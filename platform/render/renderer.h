@@ -71,7 +71,7 @@ struct renderer {
     struct quad_pass quad;
     struct specimen_pass specimens;
     struct ui ui;
-    struct gl_target ground, life, mirror;
+    struct gl_target ground, life, mirror, deck;
     /* Multisampled render target for the screen. Without multisampling, its framebuffer is 0, which
      * is the default framebuffer. */
     struct gl_target screen;

@@ -54,6 +54,12 @@ static void open_targets(struct renderer *renderer)
                    &(struct gl_target_desc){ .internal_format = GL_RGBA8,
                                              .width = scaled(width, quality->mirror_scale),
                                              .height = scaled(height, quality->mirror_scale) });
+    basin_pass_forget(&renderer->basin);
+    gl_target_open(&renderer->status, "deck", &renderer->deck,
+                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                             .width = width,
+                                             .height = height,
+                                             .samples = quality->samples });
     if (quality->samples > 1) {
         gl_target_open(&renderer->status, "screen", &renderer->screen,
                        &(struct gl_target_desc){ .internal_format = GL_RGBA8,
@@ -69,6 +75,7 @@ static void close_targets(struct renderer *renderer)
     gl_target_close(&renderer->ground);
     gl_target_close(&renderer->life);
     gl_target_close(&renderer->mirror);
+    gl_target_close(&renderer->deck);
     gl_target_close(&renderer->screen);
 }
 
@@ -106,7 +113,7 @@ int renderer_open(struct renderer *renderer, const struct renderer_config *confi
     fish_pass_open(status, &renderer->fish, &renderer->specimens.memory);
     poi_pass_open(status, &renderer->poi);
     bowl_pass_open(status, &renderer->bowl);
-    quad_pass_open(status, &renderer->quad);
+    quad_pass_open(status, &renderer->quad, &renderer->textures);
     char why[HAL_TEXT_SIZE] = "";
     if (!ui_init(&renderer->ui, why, sizeof why)) {
         gl_fail(status, "words: %s", why);

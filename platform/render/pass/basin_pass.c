@@ -28,6 +28,7 @@ enum basin_part {
     PART_SIDES,
     PART_RIM,
     PART_MIRROR,
+    PART_KEPT,
     PART_END = BASIN_PARTS
 };
 
@@ -73,7 +74,7 @@ static const struct face faces[] = {
 };
 #define FACE_COUNT (sizeof faces / sizeof *faces)
 
-static const uint8_t part_faces[PART_END + 1] = { 0, 1, 5, 6, 10, 14, 18, FACE_COUNT };
+static const uint8_t part_faces[PART_END + 1] = { 0, 1, 5, 6, 10, 14, 18, 19, FACE_COUNT };
 
 /* Shader program of each part of the tank. */
 static const struct {
@@ -89,16 +90,24 @@ static const struct {
     [PART_RIM] = { "rim", "#define RIM\n", shader_deck_vert, shader_deck_frag, "wood" },
     [PART_MIRROR] = { "mirror", "#define MIRROR\n", shader_water_vert, shader_mirror_frag,
                       "slopes environment" },
+    [PART_KEPT] = { "kept deck", "#define KEPT\n", shader_deck_vert, shader_deck_frag, "wood" },
 };
+
+/* Draws the faces of the parts `first` to `last` with the program of `part`. */
+static void draw_parts(const struct basin_pass *pass, enum basin_part part, enum basin_part first,
+                       enum basin_part last)
+{
+    CORE_ASSERT(part < PART_END && last < PART_END);
+    const GLint begin = part_faces[first] * (GLint)VERTICES_PER_FACE;
+    const GLint end = part_faces[last + 1] * (GLint)VERTICES_PER_FACE;
+    glUseProgram(pass->programs[part]);
+    glBindVertexArray(pass->vertex_array);
+    glDrawArrays(GL_TRIANGLES, begin, end - begin);
+}
 
 static void draw_part(const struct basin_pass *pass, enum basin_part part)
 {
-    CORE_ASSERT(part < PART_END);
-    const GLint first = part_faces[part] * (GLint)VERTICES_PER_FACE;
-    const GLint end = part_faces[part + 1] * (GLint)VERTICES_PER_FACE;
-    glUseProgram(pass->programs[part]);
-    glBindVertexArray(pass->vertex_array);
-    glDrawArrays(GL_TRIANGLES, first, end - first);
+    draw_parts(pass, part, part, part);
 }
 
 void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
@@ -228,16 +237,40 @@ void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint sh
     draw_part(pass, PART_WALLS);
 }
 
-void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures)
+void basin_pass_keep_deck(struct basin_pass *pass, const struct frame_block *frame,
+                          const struct gl_target *target, const struct textures *textures)
 {
+    struct deck_view view;
+    memcpy(view.view_projection, frame->view_projection, sizeof view.view_projection);
+    memcpy(view.tank, frame->tank, sizeof view.tank);
+    if (memcmp(&view, &pass->kept, sizeof view) == 0) {
+        return;
+    }
+    pass->kept = view;
+    gl_target_bind(target);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
     gl_bind_texture(0, GL_TEXTURE_2D, textures->wood);
-    /* The faces of the counter and of the rim are drawn from the lowest to the highest, because the
-     * counter does not write depth. */
-    glDepthMask(GL_FALSE);
+    /* The faces are drawn from the lowest to the highest. */
     draw_part(pass, PART_COUNTER);
     draw_part(pass, PART_SIDES);
     glEnable(GL_BLEND);
     draw_part(pass, PART_RIM);
+    glDisable(GL_BLEND);
+    gl_target_resolve(target);
+}
+
+void basin_pass_forget(struct basin_pass *pass)
+{
+    pass->kept = (struct deck_view){ 0 };
+}
+
+void basin_pass_deck(const struct basin_pass *pass, GLuint kept)
+{
+    gl_bind_texture(0, GL_TEXTURE_2D, kept);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    draw_parts(pass, PART_KEPT, PART_COUNTER, PART_RIM);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
 }

@@ -3,16 +3,22 @@
 #pragma once
 
 #include "core/scene.h"
+#include "platform/render/frame_block.h"
 #include "platform/render/textures.h"
 
 /* Number of parts with a shader program of their own: the floor, the walls, the water surface, the
- * counter, the sides of the rim, the top of the rim, and the reflections on the water. */
-#define BASIN_PARTS 7u
+ * counter, the sides of the rim, the top of the rim, the reflections on the water, and the picture
+ * of counter and rim. */
+#define BASIN_PARTS 8u
 
 struct basin_pass {
     GLuint programs[BASIN_PARTS];
     GLuint vertex_array, vertex_buffer;
     struct gl_ring slope_ring;
+    /* Camera and tank of the picture that basin_pass_keep_deck() drew last. */
+    struct deck_view {
+        float view_projection[16], tank[4];
+    } kept;
     float waves[RIPPLE_Z][RIPPLE_X][2];
     /* Four slopes for each point of the water surface. The first two are the slopes along x and
      * along z for the reflection. The last two are the slopes along x and along z for the
@@ -29,9 +35,16 @@ void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene);
 /* Draws the floor and the walls. The render target needs no depth buffer. */
 void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint shadows);
 
-/* Draws the rim and the counter. The depth test hides the parts behind nearer objects. The rim and
- * the counter write no depth, because a poi (paper scoop) is always held over the rim. */
-void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures);
+/* Draws the rim and the counter into `target`, which has the size of the screen. Does nothing if
+ * the target already has the picture for the camera and the tank of `frame`. basin_pass_forget()
+ * must be called after a target was created. */
+void basin_pass_keep_deck(struct basin_pass *pass, const struct frame_block *frame,
+                          const struct gl_target *target, const struct textures *textures);
+void basin_pass_forget(struct basin_pass *pass);
+/* Draws the rim and the counter from the picture `kept` of basin_pass_keep_deck(). The depth test
+ * hides the parts behind nearer objects. The rim and the counter write no depth, because a poi
+ * (paper scoop) is always held over the rim. */
+void basin_pass_deck(const struct basin_pass *pass, GLuint kept);
 /* Draws the reflections on the water surface, at low resolution, into a render target of their
  * own. */
 void basin_pass_mirror(const struct basin_pass *pass, const struct textures *textures);

@@ -53,8 +53,31 @@
  * transparency increases until SEEN_TO_S. */
 #define SEEN_FROM_S 0.6f
 #define SEEN_TO_S 2.0f
+/* Size in texels of each picture of a fan, about one texel for each pixel of a fan on a screen of
+ * 1080 lines. */
+#define FAN_FACE_WIDTH 320u
+#define FAN_FACE_HEIGHT 488u
 
-void quad_pass_open(struct gl_status *status, struct quad_pass *pass)
+/* Draws the pictures of a fan (fan_face.frag.glsl), which do not change afterwards. */
+static void draw_fan_faces(struct gl_status *status, struct quad_pass *pass,
+                           const struct textures *textures)
+{
+    const GLuint program =
+        gl_program(status, "fan face", "", shader_fill_vert, shader_fan_face_frag, "fibres");
+    gl_target_open(status, "fan", &pass->fan_faces,
+                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                             .width = 3u * FAN_FACE_WIDTH,
+                                             .height = FAN_FACE_HEIGHT });
+    gl_target_bind(&pass->fan_faces);
+    glUseProgram(program);
+    gl_bind_texture(0, GL_TEXTURE_2D, textures->paper);
+    glBindVertexArray(pass->no_attributes);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDeleteProgram(program);
+}
+
+void quad_pass_open(struct gl_status *status, struct quad_pass *pass,
+                    const struct textures *textures)
 {
     pass->bubble_program =
         gl_program(status, "air stone", "", shader_bubble_vert, shader_bubble_frag, "");
@@ -64,12 +87,13 @@ void quad_pass_open(struct gl_status *status, struct quad_pass *pass)
     pass->hub = glGetUniformLocation(pass->drip_program, "hub");
     pass->low = glGetUniformLocation(pass->drip_program, "low");
     pass->across = glGetUniformLocation(pass->drip_program, "across");
-    pass->fan_program = gl_program(status, "fan", "", shader_fan_vert, shader_fan_frag, "fibres");
+    pass->fan_program = gl_program(status, "fan", "", shader_fan_vert, shader_fan_frag, "faces");
     pass->fan_pose = glGetUniformLocation(pass->fan_program, "pose");
     pass->fan_trim = glGetUniformLocation(pass->fan_program, "trim");
     pass->dark_program = gl_program(status, "dark", "", shader_fill_vert, shader_dark_frag, "");
     pass->dark = glGetUniformLocation(pass->dark_program, "dark");
     glGenVertexArrays(1, &pass->no_attributes);
+    draw_fan_faces(status, pass, textures);
 }
 
 void quad_pass_close(struct quad_pass *pass)
@@ -78,6 +102,7 @@ void quad_pass_close(struct quad_pass *pass)
     glDeleteProgram(pass->drip_program);
     glDeleteProgram(pass->fan_program);
     glDeleteProgram(pass->dark_program);
+    gl_target_close(&pass->fan_faces);
     glDeleteVertexArrays(1, &pass->no_attributes);
 }
 
@@ -135,12 +160,11 @@ void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene)
     }
 }
 
-void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene,
-                    const struct textures *textures)
+void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene)
 {
     const uint32_t period = (uint32_t)((float)CORE_TICK_HZ / SWAY_HZ);
     glUseProgram(pass->fan_program);
-    gl_bind_texture(0, GL_TEXTURE_2D, textures->paper);
+    gl_bind_texture(0, GL_TEXTURE_2D, pass->fan_faces.texture);
     glBindVertexArray(pass->no_attributes);
     glEnable(GL_BLEND);
     for (uint32_t i = 0; i < SHADE_MAX; i++) {

@@ -9,12 +9,15 @@
 struct quad_pass {
     GLuint no_attributes; /* Vertex array without attributes. */
     GLuint bubble_program, drip_program, fan_program, dark_program;
+    struct gl_target fan_faces; /* Pictures of fan_face.frag.glsl. */
     /* Locations of the shader uniforms. fan_pose and fan_trim belong to the uniforms `pose` and
      * `trim` of the program for fans. */
     GLint stone, lip, hub, low, across, fan_pose, fan_trim, dark;
 };
 
-void quad_pass_open(struct gl_status *status, struct quad_pass *pass);
+/* Builds all programs, and draws the pictures of a fan. */
+void quad_pass_open(struct gl_status *status, struct quad_pass *pass,
+                    const struct textures *textures);
 void quad_pass_close(struct quad_pass *pass);
 
 /* Draws the air stone on the tank's floor, and its bubbles while the air pump runs, into a render
@@ -29,8 +32,7 @@ void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene);
 
 /* Draws the hand-held fans over all other objects of the scene, with blending. The render target
  * needs no depth buffer. The shade map (light_pass.h) contains the fans' shadows. */
-void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene,
-                    const struct textures *textures);
+void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene);
 
 /* Dims the finished picture to the configured brightness, and fills the area beside the picture
  * with black. Draws nothing if the picture fills the screen at full brightness. The size of the
