@@ -13,10 +13,10 @@
  * of any shadow. */
 #define SHADOW_WIDTH 512u
 #define SHADOW_HEIGHT 320u
-/* Size of the shade map in texels. A texel is 9 mm wide in the festival tank. The edge of a shade is
- * at least 20 mm wide. */
-#define SHADE_MAP_WIDTH 192u
-#define SHADE_MAP_HEIGHT 144u
+/* Size of the shade map in texels. A texel is 13 mm wide in the festival tank. The edge of a shade
+ * is at least 20 mm wide. */
+#define SHADE_MAP_WIDTH 128u
+#define SHADE_MAP_HEIGHT 96u
 #define DEFINES_SIZE 48
 
 void light_pass_open(struct gl_status *status, struct light_pass *pass)
