@@ -81,6 +81,12 @@ static void sort_by_height(struct fish_pass *pass, const struct scene *scene)
     }
 }
 
+static bool is_near(const struct scene_fish *fish, const struct frame_view *view, float near_px)
+{
+    const float distance = v3_length(v3_sub(fish->position_m, view->eye_m));
+    return fish->length_m * view->focal_px >= near_px * distance;
+}
+
 static enum fish_group group_of(const struct scene_fish *fish, const struct frame_view *view,
                                 float near_px)
 {
@@ -91,8 +97,7 @@ static enum fish_group group_of(const struct scene_fish *fish, const struct fram
     if (fish->place == SCENE_IN_BOWL) {
         return FISH_IN_BOWL;
     }
-    const float distance = v3_length(v3_sub(fish->position_m, view->eye_m));
-    const bool near = fish->length_m * view->focal_px >= near_px * distance;
+    const bool near = is_near(fish, view, near_px);
     /* The fish counts as gulping if its snout or its back is above the water surface. */
     const float nose_m = 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);
     return (fish->position_m.y + f_max(nose_m, 0.15f * fish->length_m) > 0.0f)
@@ -100,9 +105,17 @@ static enum fish_group group_of(const struct scene_fish *fish, const struct fram
                : (near ? FISH_NEAR : FISH_FAR);
 }
 
-static bool is_far(enum fish_group group)
+/* Chooses the mesh of each group. The fish in bowls get the near mesh if it suits any of them. */
+static void choose_meshes(struct fish_pass *pass, const struct scene *scene,
+                          const struct frame_view *view, float near_px)
 {
-    return group == FISH_FAR || group == FISH_GULPING_FAR;
+    memset(pass->lod, 0, sizeof pass->lod);
+    pass->lod[FISH_FAR] = pass->lod[FISH_GULPING_FAR] = pass->lod[FISH_IN_BOWL] = 1;
+    for (uint32_t i = 0; i < scene->fish_count; i++) {
+        if (pass->group[i] == FISH_IN_BOWL && is_near(&scene->fish[i], view, near_px)) {
+            pass->lod[FISH_IN_BOWL] = 0;
+        }
+    }
 }
 
 void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
@@ -116,6 +129,7 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
         pass->group[i] = (uint8_t)group_of(&scene->fish[i], view, near_px);
         pass->count[pass->group[i]]++;
     }
+    choose_meshes(pass, scene, view, near_px);
     for (uint32_t i = 0, first = 0; i < FISH_GROUP_COUNT; i++) {
         pass->first[i] = next[i] = first;
         first += pass->count[i];
@@ -140,7 +154,7 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         fish_poses_begin(&pass->poses[lod]);
         for (uint32_t i = 0; i < scene->fish_count; i++) {
-            if (is_far(pass->group[i]) == (lod > 0)) {
+            if (pass->lod[pass->group[i]] == lod) {
                 fish_poses_set(&pass->poses[lod], &pass->rig, i, scene->fish[i].progress);
             }
         }
@@ -183,7 +197,7 @@ static void draw_group(const struct fish_pass *pass, const struct fish_program *
     static const GLuint locations[] = { 9, 10, 11, 15, 14 };
     CORE_ASSERT(group < FISH_GROUP_COUNT);
     CORE_ASSERT(pass->first[group] + pass->count[group] <= SCENE_FISH_MAX);
-    const uint32_t lod = is_far(group) ? 1 : 0;
+    const uint32_t lod = pass->lod[group];
     const struct fish_mesh *const mesh = &pass->mesh[lod];
     if (pass->count[group] == 0) {
         return;

@@ -45,6 +45,8 @@ struct fish_pass {
     struct fish_poses poses[SPECIES_LOD_COUNT];
     struct morph_rig rig; /* Deformation graphs of the species, prepared for computing poses. */
     uint32_t first[FISH_GROUP_COUNT], count[FISH_GROUP_COUNT];
+    /* Level of detail of each group: 0 is the near mesh, and 1 the far mesh. */
+    uint8_t lod[FISH_GROUP_COUNT];
     /* Indices of the fish in the scene, in ascending order of height. */
     uint16_t order[SCENE_FISH_MAX];
     uint8_t group[SCENE_FISH_MAX];
