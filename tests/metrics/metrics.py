@@ -65,7 +65,7 @@ FEATURE_LINES = {
     'a signal stack for the audio thread of SDL': 7,
     'the end of a session between two games, and the tick at which a file of a panic ends': 31,
     'a bound for the rewritten part of the write-ahead log': 24,
-    'pictures that are drawn once, or at low resolution (shades, reflections, counter, fan)': 160,
+    'pictures that are drawn once, or at low resolution (shades, reflections, counter, fan)': 156,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.

@@ -149,8 +149,8 @@ int main(int argc, char **argv)
     }
     printf("%s (opened in %.0f ms)\n", device.ops->describe(device.self), now_ms() - before);
     display.renderer.on_step = options.steps ? write_step : NULL;
-    /* With --steps, two frames are drawn before the picture, because the first frame also draws what
-     * later frames keep. */
+    /* With --steps, two frames are drawn before the picture, because the first frame also draws
+     * what later frames keep. */
     const uint32_t frames = options.lab || options.album > 0 ? SKIN_FRAMES : 1u + options.steps;
     for (uint32_t i = 0; i < frames; i++) {
         device.ops->present(device.self, &scene);
