@@ -189,7 +189,7 @@ static void test_species_beyond_the_slots_are_rejected_by_name(void **state)
     assert_int_equal(library.unread_count, 5);
     for (uint32_t i = 0; i < LIBRARY_LINE_MAX; i++) {
         char file[32];
-        snprintf(file, sizeof file, "fish%02u.kfish", i);
+        snprintf(file, sizeof file, "species/fish%02u.kfish", i);
         assert_string_equal(library.lines[i].file, file);
         assert_int_equal(library.lines[i].slot, i < SPECIES_EXTRA_MAX ? i : LIBRARY_SLOT_NONE);
     }
