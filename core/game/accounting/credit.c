@@ -139,25 +139,26 @@ uint32_t credit_tickets_won(const struct game *game, const struct core_config *c
     return won;
 }
 
-void credit_owe_tickets(struct accounts *accounts, const struct core_config *config, uint32_t count)
+uint32_t credit_owe_tickets(struct accounts *accounts, const struct core_config *config,
+                            uint32_t count)
 {
     CORE_ASSERT(accounts->ledger.balance.tickets <= BALANCE_TICKETS_MAX);
     struct balance *balance = &accounts->ledger.balance;
     if (!config_has_rules(config, 8)) {
         accounts->credit.tickets += count;
-        return;
+        return count;
     }
     const uint32_t room = BALANCE_TICKETS_MAX - balance->tickets;
-    balance->tickets = (uint16_t)(balance->tickets + (count < room ? count : room));
+    const uint32_t owed = count < room ? count : room;
+    balance->tickets = (uint16_t)(balance->tickets + owed);
+    return owed;
 }
 
 uint32_t credit_award_tickets(struct accounts *accounts, const struct game *game,
                               const struct core_config *config)
 {
     CORE_ASSERT(game->phase == PHASE_RESULT || game->phase == PHASE_ROUND);
-    const uint32_t won = credit_tickets_won(game, config);
-    credit_owe_tickets(accounts, config, won);
-    return won;
+    return credit_owe_tickets(accounts, config, credit_tickets_won(game, config));
 }
 
 /* ---- Displayed state of the credits --------------------------------------------------------- */

@@ -115,6 +115,21 @@ static void cut_power(void)
     hold_at(ABOVE_M);
 }
 
+/* The balance has room for 2 more tickets, and the player wins WON. */
+static void test_tickets_above_the_largest_balance_are_not_counted_as_owed(void **state)
+{
+    (void)state;
+    struct balance *owed = &core.game.accounts.ledger.balance;
+    core.game.phase = PHASE_RESULT;
+    core.game.player[0] = (struct player){ .plays = 1, .caught = WON };
+    owed->tickets = BALANCE_TICKETS_MAX - 2u;
+    assert_int_equal(credit_tickets_won(&core.game, &core.config), WON);
+    assert_int_equal(credit_award_tickets(&core.game.accounts, &core.game, &core.config), 2);
+    assert_int_equal(owed->tickets, BALANCE_TICKETS_MAX);
+    assert_int_equal(credit_award_tickets(&core.game.accounts, &core.game, &core.config), 0);
+    assert_int_equal(owed->tickets, BALANCE_TICKETS_MAX);
+}
+
 static void test_a_ticket_waits_for_its_round_entry_and_its_own_entry(void **state)
 {
     (void)state;
@@ -263,6 +278,7 @@ int main(void)
 #define TEST(test) cmocka_unit_test_setup_teardown(test, setup_tickets, close_tickets)
     const struct CMUnitTest tests[] = {
         TEST(test_a_ticket_waits_for_its_round_entry_and_its_own_entry),
+        TEST(test_tickets_above_the_largest_balance_are_not_counted_as_owed),
         TEST(test_a_disk_that_stores_nothing_dispenses_no_ticket),
         TEST(test_a_late_card_that_stalls_dispenses_no_ticket_before_its_entry_is_saved),
         TEST(test_credits_expire_only_after_a_late_card_stored_them),
