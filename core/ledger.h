@@ -125,8 +125,8 @@ struct balance {
     uint16_t tickets;
 };
 
-/* Largest number of owed tickets, which fits 16 bits. Further tickets are dropped and not counted in
- * the audits. */
+/* Largest number of owed tickets, which fits 16 bits. Further tickets are dropped and not counted
+ * in the audits. */
 #define BALANCE_TICKETS_MAX 60000u
 /* Upper limit of each count in the balance; no coin box holds so many coins. */
 #define BALANCE_MAX 1000000u
