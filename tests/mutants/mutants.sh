@@ -3,7 +3,8 @@
 # detect.
 # The script draws mutations by SEED (mutate.c) until COUNT of them change the object code, and
 # links each into the unit tests of a copy of the tree. The nearest tests run first: test_NAME*,
-# the tests that include the module's header, and those that share its first word. The other tests
+# the tests that include the module's header, those that call a function of the module if at most
+# 12 tests do, and those that share its first word. The other tests
 # that link the module follow, fastest first, up to BUDGET seconds (15), and then the golden
 # hashes. The first failing test ends a mutant. A test may take three times its own processor time
 # plus 3 s. A test that fails without a mutation, or takes more than SLOW seconds (30), is omitted.
@@ -73,9 +74,10 @@ place_of() { # TEST
 base_one() { # TEST
     local program seconds
     program=$tree/build/tests/unit/$(place_of "$1")
-    [ ! "$times/$1" -nt "$program" ] || return 0
+    [ ! "$times/$1" -nt "$program" ] || [ ! -s "$folder/calls/$1" ] || return 0
     rm -f "$times/$1"
     nm -g --defined-only "$program" | awk '{ print $3 }' | sort >"$folder/symbols/$1"
+    nm -u "$program.o" | awk '{ print $2 }' | sort >"$folder/calls/$1"
     if seconds=$(timed "$slow_s" "$program"); then
         echo "$seconds" >"$times/$1"
     else
@@ -142,9 +144,10 @@ make_mutants() { # FILE...
 
 # Prints the tests that link the mutant, nearest first, as "near NAME" or "wide NAME".
 tests_for() { # FILE OBJECT
-    local stem name
+    local stem name callers
     stem=$(basename "$1" .c)
     nm -g --defined-only "$2" | awk '{ print $3 }' | sort >"$2.symbols"
+    callers=$(grep -lxFf "$2.symbols" "$folder"/calls/* | wc -l)
     for name in "$times"/*; do
         name=${name##*/}
         if [ -n "$(comm -23 "$2.symbols" "$folder/symbols/$name")" ]; then
@@ -153,10 +156,12 @@ tests_for() { # FILE OBJECT
             echo "1 near $name $(cat "$times/$name")"
         elif grep -qs "\"${1%.c}.h\"" "$tree/tests/unit/$(place_of "$name").c"; then
             echo "2 near $name $(cat "$times/$name")"
-        elif [[ $name == test_${stem%%_*}* ]]; then
+        elif [ "$callers" -le 12 ] && grep -qxFf "$2.symbols" "$folder/calls/$name"; then
             echo "3 near $name $(cat "$times/$name")"
+        elif [[ $name == test_${stem%%_*}* ]]; then
+            echo "4 near $name $(cat "$times/$name")"
         else
-            echo "4 wide $name $(cat "$times/$name")"
+            echo "5 wide $name $(cat "$times/$name")"
         fi
     done | sort -k1,1 -k4,4n | cut -d ' ' -f 2,3
 }
@@ -237,7 +242,7 @@ unit=$(sed 's/^/build\/tests\/unit\//' "$folder/places" | tr '\n' ' ')
 # shellcheck disable=SC2086
 make --no-print-directory -j"$jobs" build build/variants/gcc-O2/state_hash $unit >"$folder/build.log" 2>&1 ||
     { tail -20 "$folder/build.log"; exit 1; }
-mkdir -p "$times" "$folder/symbols"
+mkdir -p "$times" "$folder/symbols" "$folder/calls"
 note_commands "$@"
 for old in "$times"/*; do [ -s "$folder/link/${old##*/}" ] || rm -f "$old"; done
 echo "$tests" | nice xargs -P "$jobs" -I{} bash -c 'base_one {}'
