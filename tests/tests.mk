@@ -24,7 +24,7 @@ E2E := $(E2E_BIN) $(BUILD)/tests/vm/state_writer
 TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh tests/bake/test_*.sh \
     tests/soak/test_*.sh tests/ctl/test_*.sh tests/fuzz/test_*.sh \
     tests/hid/test_*.sh tests/board/test_*.sh tests/power/test_*.sh tests/mutants/test_*.sh \
-    tests/metrics/test_*.sh)
+    tests/metrics/test_*.sh tests/v3d/test_*.sh)
 TEST_ALONE := $(wildcard tests/e2e/test_*.sh)
 TEST_PROGRAMS := $(UNIT) $(GPIO_TEST) $(TEST_SCRIPTS) $(TEST_ALONE:%=@%)
 ifneq ($(ONLY),)
@@ -45,7 +45,8 @@ run-tests:
 ## build/tests: Build what `make test` runs without running it
 tests: build $(UNIT) $(GPIO_TEST) $(E2E) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/check_trace \
     $(BUILD)/tests/bench/technique $(BUILD)/tests/bench/day/bench_day $(BUILD)/tests/bench/players/hints \
-    $(BUILD)/tests/power/power
+    $(BUILD)/tests/power/power \
+    $(BUILD)/tests/render/shot $(BUILD)/tests/v3d/gl_trace.so
 
 ## test/check: Run boundaries, tests and sizes, as before each commit
 check: boundaries
