@@ -113,9 +113,9 @@ static void list_shades(struct frame_shades *shades, const struct scene *scene)
 }
 
 void frame_begin(struct frame *frame, const struct scene *scene,
-                 const struct display_transform *transform)
+                 const struct display_transform *transform, const uint32_t size_px[2])
 {
-    CORE_ASSERT(scene->tank_size_m.y > 0.0f);
+    CORE_ASSERT(scene->tank_size_m.y > 0.0f && size_px[0] > 0 && size_px[1] > 0);
     struct frame_block *const block = &frame->block;
     const float aspect = transform->width / transform->height;
     const float seconds = (float)(scene->tick % SECONDS_WRAP_TICKS) * CORE_TICK_S;
@@ -141,7 +141,7 @@ void frame_begin(struct frame *frame, const struct scene *scene,
                     seconds);
     frame_block_set(block->tank, 0.5f * size.x, size.y, 0.5f * size.z,
                     scene->wall_height_m - size.y);
-    frame_block_set(block->screen, 1.0f / transform->screen_width, 1.0f / transform->screen_height,
+    frame_block_set(block->screen, 1.0f / (float)size_px[0], 1.0f / (float)size_px[1],
                     ABSORPTION_OVER_DEPTH / size.y, layers - loops * (float)ASSET_CAUSTICS_FRAMES);
     frame_block_set(block->shadow, 2.0f / (size.x * SHADOW_MARGIN), 2.0f / (size.z * SHADOW_MARGIN),
                     SHADOW_DRIFT_X, SHADOW_DRIFT_Z);

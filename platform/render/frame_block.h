@@ -43,6 +43,6 @@ struct frame {
 };
 
 /* Computes the uniform block for `scene` with the display geometry `transform`, and uploads the
- * block. */
+ * block. `size_px` is the width and the height of the render target for the screen. */
 void frame_begin(struct frame *frame, const struct scene *scene,
-                 const struct display_transform *transform);
+                 const struct display_transform *transform, const uint32_t size_px[2]);

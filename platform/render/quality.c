@@ -30,7 +30,11 @@ static const struct machine cpu = { true, 1280.0f * 720.0f, 0.6f, 0.5f, 1, 130.0
 /* Limits for the GPU of a single-board computer, which shares its memory with the CPU. On a V3D
  * GPU, writing and resolving 4 samples of a full screen takes most of the memory bandwidth of a
  * frame. Instead of multisampling, the shaders blend the outlines, as they do on a CPU. */
-static const struct machine board = { false, 1600.0f * 900.0f, 0.5f, 0.4f, 1, 120.0f };
+static const struct machine board = { false, 1600.0f * 900.0f, 0.6f, 0.4f, 1, 120.0f };
+/* Raspberry Pi 4: as `board`, with at most 1280x720 pixels above the water too. */
+static const struct machine pi4 = { false, 1280.0f * 720.0f, 0.6f, 0.4f, 1, 120.0f };
+/* Raspberry Pi 5, whose GPU is four times as fast. */
+static const struct machine pi5 = { false, 1920.0f * 1080.0f, 0.6f, 0.4f, 1, 120.0f };
 static const struct machine desktop = { false, 3840.0f * 2160.0f, 1.0f, 1.0f, 4, 24.0f };
 
 /* Table of parts of the GL_RENDERER string. The first entry that occurs in the string is used. If
@@ -39,9 +43,9 @@ static const struct {
     const char *name;
     const struct machine *machine;
 } known[] = {
-    { "llvmpipe", &cpu },   { "softpipe", &cpu }, { "SwiftShader", &cpu }, { "Software", &cpu },
-    { "V3D", &board },      { "VC4", &board },    { "VideoCore", &board }, { "Mali", &board },
-    { "Panfrost", &board }, { "Lima", &board },
+    { "llvmpipe", &cpu }, { "softpipe", &cpu },   { "SwiftShader", &cpu }, { "Software", &cpu },
+    { "V3D 7", &pi5 },    { "V3D", &pi4 },        { "VC4", &pi4 },         { "VideoCore", &board },
+    { "Mali", &board },   { "Panfrost", &board }, { "Lima", &board },
 };
 
 struct quality quality_choose(const struct quality_request *request)
@@ -56,10 +60,15 @@ struct quality quality_choose(const struct quality_request *request)
     struct quality quality = {
         .software = machine->software,
         .scene_scale = f_clamp(f_sqrt(share), SCALE_MIN, 1.0f),
+        .screen_scale = 1.0f,
         .samples = machine->samples,
         .lod_near_px = machine->lod_near_px,
     };
+    if (machine == &pi4) {
+        quality.screen_scale = quality.scene_scale;
+    }
     if (request->scene_scale > 0.0f) {
+        quality.screen_scale = 1.0f;
         quality.scene_scale = f_clamp(request->scene_scale, 0.25f, 2.0f);
     }
     quality.floor_scale = quality.scene_scale * machine->floor_scale;
@@ -85,19 +94,31 @@ struct quality quality_choose(const struct quality_request *request)
     return quality;
 }
 
+/* Shares of the best quality at each step. The order is that of what a viewer notices least: the
+ * meshes of distant fish, the floor, the reflections, the screen without its words, and at last the
+ * fish. */
+static const struct share {
+    float lod, floor, mirror, screen, scene;
+} shares[QUALITY_STEP_MAX + 1u] = {
+    { 1.0f, 1.0f, 1.0f, 1.0f, 1.0f },   { 0.6f, 1.0f, 1.0f, 1.0f, 1.0f },
+    { 0.6f, 0.7f, 1.0f, 1.0f, 1.0f },   { 0.6f, 0.7f, 0.6f, 1.0f, 1.0f },
+    { 0.6f, 0.7f, 0.6f, 0.8f, 1.0f },   { 0.6f, 0.7f, 0.6f, 0.65f, 1.0f },
+    { 0.6f, 0.7f, 0.6f, 0.65f, 0.75f }, { 0.6f, 0.7f, 0.6f, 0.65f, 0.55f },
+};
+
 struct quality quality_lower(const struct quality *best, uint32_t step)
 {
-    static const float share[QUALITY_STEP_MAX + 1u] = { 1.0f, 0.85f, 0.70f, 0.55f, 0.42f };
     struct quality quality = *best;
-    const float of_best = share[step < QUALITY_STEP_MAX ? step : QUALITY_STEP_MAX];
+    const struct share *const share = &shares[step < QUALITY_STEP_MAX ? step : QUALITY_STEP_MAX];
     if (step > 0) {
-        /* Every step switches multisampling off, because multisampling costs much time and its
-         * absence is hardly visible. */
-        quality.samples = 1;
-        quality.scene_scale = f_max(of_best * best->scene_scale, 0.25f);
-        quality.floor_scale = f_max(of_best * best->floor_scale, 0.2f);
-        quality.mirror_scale = f_max(of_best * best->mirror_scale, 0.2f);
-        quality.lod_near_px = best->lod_near_px / of_best;
+        quality.samples = 1; /* Multisampling is switched off first, because
+                                multisampling costs the most time and its absence is the least
+                                visible. */
+        quality.lod_near_px = best->lod_near_px / share->lod;
+        quality.floor_scale = f_max(share->floor * best->floor_scale, 0.2f);
+        quality.mirror_scale = f_max(share->mirror * best->mirror_scale, 0.15f);
+        quality.screen_scale = f_max(share->screen * best->screen_scale, SCALE_MIN);
+        quality.scene_scale = f_max(share->scene * best->scene_scale, 0.25f);
     }
     return quality;
 }
@@ -111,6 +132,9 @@ struct quality quality_lower(const struct quality *best, uint32_t step)
 /* Maximum mean frame duration that counts as on time, in per cent of a refresh period. At this
  * maximum, one frame in nine is late by one refresh period. */
 #define LATE_PERCENT 111u
+/* Mean frame duration, in per cent of the intended duration, from which quality is lowered by two
+ * steps at once. */
+#define FAR_PERCENT 150u
 /* Number of seconds without late frames after which the trial of a finer quality step counts as
  * successful. */
 #define HELD_S 60u
@@ -119,7 +143,41 @@ void quality_governor_begin(struct governor *governor, uint32_t refresh_hz)
 {
     CORE_ASSERT(governor);
     const uint32_t hz = refresh_hz == 0 || refresh_hz > HZ ? HZ : refresh_hz;
-    *governor = (struct governor){ .turn_ns = NS_PER_S / hz, .patience_s = GOVERNOR_PATIENCE_S };
+    *governor = (struct governor){ .turn_ns = NS_PER_S / hz,
+                                   .turns = 1,
+                                   .patience_s = GOVERNOR_PATIENCE_S };
+}
+
+/* Lowers the quality after late frames. If the last step is still late, the intended frame duration
+ * becomes two refresh periods, and the quality becomes the best that holds this duration. */
+static void lower(struct governor *governor, uint64_t mean_ns)
+{
+    const uint64_t aim_ns = governor->turn_ns * governor->turns;
+    const bool is_far = !governor->is_trying && mean_ns * 100u > aim_ns * FAR_PERCENT;
+    if (governor->step < QUALITY_STEP_MAX) {
+        governor->step++;
+        if (is_far && governor->step < QUALITY_STEP_MAX) {
+            governor->step++;
+        }
+    } else if (governor->turns == 1u) {
+        governor->turns = 2;
+        governor->step = governor->half_step;
+    }
+}
+
+/* Begins a trial of a finer quality: of the next finer step, or of the full frame rate at the last
+ * step. */
+static void refine(struct governor *governor)
+{
+    if (governor->turns > 1u) {
+        governor->half_step = governor->step;
+        governor->turns = 1;
+        governor->step = QUALITY_STEP_MAX;
+    } else {
+        governor->step--;
+    }
+    governor->is_trying = true;
+    governor->timely_s = 0;
 }
 
 uint32_t quality_governor_frame(struct governor *governor, uint64_t now_ns, bool may_refine)
@@ -136,25 +194,22 @@ uint32_t quality_governor_frame(struct governor *governor, uint64_t now_ns, bool
     if (governor->sum_ns >= GOVERNOR_LOOK_S * NS_PER_S) {
         const uint64_t mean_ns = governor->sum_ns / governor->count;
         governor->sum_ns = governor->count = 0;
-        if (mean_ns * 100u > governor->turn_ns * LATE_PERCENT) {
+        if (mean_ns * 100u > governor->turn_ns * governor->turns * LATE_PERCENT) {
             if (governor->is_trying && governor->patience_s < GOVERNOR_PATIENCE_MAX_S) {
                 governor->patience_s *= 2u;
             }
+            lower(governor, mean_ns);
             governor->is_trying = false;
             governor->timely_s = 0;
-            if (governor->step < QUALITY_STEP_MAX) {
-                governor->step++;
-            }
         } else {
             governor->timely_s += GOVERNOR_LOOK_S;
             if (governor->is_trying && governor->timely_s >= HELD_S) {
                 governor->is_trying = false;
                 governor->patience_s = GOVERNOR_PATIENCE_S;
             }
-            if (governor->step > 0 && governor->timely_s >= governor->patience_s && may_refine) {
-                governor->step--;
-                governor->is_trying = true;
-                governor->timely_s = 0;
+            if ((governor->step > 0 || governor->turns > 1u) && may_refine &&
+                governor->timely_s >= governor->patience_s) {
+                refine(governor);
             }
         }
     }

@@ -21,6 +21,9 @@ struct quality {
     /* Width of the underwater scene's picture in pixels, divided by the width of the screen in
      * pixels, (0, 2]. The same factor applies to the height. */
     float scene_scale;
+    /* Width of the picture without its words, divided by the width of the screen, (0, 1]. The words
+     * are drawn at the resolution of the screen. */
+    float screen_scale;
     /* Width of the picture of the tank's floor and walls, divided by the width of the screen, (0,
      * 2]. The floor and the walls have no fine detail. */
     float floor_scale;
@@ -50,9 +53,9 @@ struct quality_request {
 /* Returns the best quality for the hardware and the screen size, within the limits in `request`. */
 struct quality quality_choose(const struct quality_request *request);
 
-/* Maximum number of quality steps below the best quality. The last step draws the scene with a
- * sixth of its pixels, which is the lowest usable resolution. */
-#define QUALITY_STEP_MAX 4u
+/* Maximum number of quality steps below the best quality. The last step draws the fish with a third
+ * of their pixels. */
+#define QUALITY_STEP_MAX 7u
 
 /* Returns the quality that is `step` steps below `best`. Steps above QUALITY_STEP_MAX count as
  * QUALITY_STEP_MAX, and step 0 returns `best`. Text stays equally sharp at every step. */
@@ -76,6 +79,8 @@ struct governor {
     /* Refresh period of the screen in ns, the shortest possible frame duration. */
     uint64_t turn_ns;
     uint64_t last_ns; /* Time of the previous frame in ns. 0 means no previous frame. */
+    /* Intended frame duration in refresh periods: 1, or 2 if the last quality step is too slow. */
+    uint32_t turns;
     /* Total duration in ns (`sum_ns`) and number (`count`) of the frames in the current measurement
      * interval. */
     uint64_t sum_ns, count;
@@ -87,6 +92,8 @@ struct governor {
     uint32_t patience_s;
     /* Number of quality steps below the best quality that the drawing speed requires. */
     uint8_t step;
+    /* Value of `step` when the intended frame duration was two refresh periods last. */
+    uint8_t half_step;
     /* Number of quality steps below the best quality that keep the machine cool, at most
      * QUALITY_STEP_MAX. */
     uint8_t heat;

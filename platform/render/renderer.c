@@ -45,13 +45,28 @@ static void draw_life(const struct renderer *renderer, const struct scene *scene
     step_done(renderer, STEP_LIFE);
 }
 
+static void bind_default(const struct renderer *renderer)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, (GLsizei)renderer->config.width, (GLsizei)renderer->config.height);
+}
+
 static void bind_screen(const struct renderer *renderer)
 {
     if (renderer->screen.framebuffer) {
         gl_target_bind(&renderer->screen);
     } else {
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        glViewport(0, 0, (GLsizei)renderer->config.width, (GLsizei)renderer->config.height);
+        bind_default(renderer);
+    }
+}
+
+/* Binds the target for a page of words and specimens, which is never smaller than the screen. */
+static void bind_page(const struct renderer *renderer)
+{
+    if (renderer->screen.resolve) {
+        gl_target_bind(&renderer->screen);
+    } else {
+        bind_default(renderer);
     }
 }
 
@@ -95,7 +110,7 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
     step_done(renderer, STEP_ABOVE);
 }
 
-/* Copies a multisampled picture to the default framebuffer. */
+/* Copies a multisampled or smaller picture to the default framebuffer. */
 static void finish_screen(const struct renderer *renderer)
 {
     static const GLenum spent = GL_DEPTH;
@@ -109,16 +124,17 @@ static void finish_screen(const struct renderer *renderer)
     const GLint width = (GLint)renderer->config.width;
     const GLint height = (GLint)renderer->config.height;
     gl_target_resolve(screen);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, screen->resolve);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, screen->resolve ? screen->resolve : screen->framebuffer);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, width, height);
+    glBlitFramebuffer(0, 0, (GLint)screen->width, (GLint)screen->height, 0, 0, width, height,
+                      GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    bind_default(renderer);
 }
 
 static void draw_tank(struct renderer *renderer, const struct scene *scene)
 {
-    frame_begin(&renderer->frame, scene, &renderer->transform);
+    frame_begin(&renderer->frame, scene, &renderer->transform,
+                (const uint32_t[2]){ renderer->deck.width, renderer->deck.height });
     fish_pass_prepare(&renderer->fish, scene, &renderer->frame.view, &renderer->quality);
     basin_pass_prepare(&renderer->basin, scene);
     poi_pass_prepare(&renderer->poi, scene);
@@ -190,10 +206,12 @@ void renderer_draw(struct renderer *renderer, const struct scene *scene)
     if (scene->phase == PHASE_LAB || scene->phase == PHASE_ALBUM) {
         /* The pages of the growth lab and of the album cover the tank completely. Their specimens
          * use multisampling if multisampling is enabled. */
-        bind_screen(renderer);
+        bind_page(renderer);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         draw_ui(renderer, scene);
-        finish_screen(renderer);
+        if (renderer->screen.resolve) {
+            finish_screen(renderer);
+        }
     } else {
         draw_tank(renderer, scene);
         finish_screen(renderer);

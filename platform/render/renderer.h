@@ -72,8 +72,8 @@ struct renderer {
     struct specimen_pass specimens;
     struct ui ui;
     struct gl_target ground, life, mirror, deck;
-    /* Multisampled render target for the screen. Without multisampling, its framebuffer is 0, which
-     * is the default framebuffer. */
+    /* Render target for the screen, which is multisampled or smaller than the screen. Without
+     * either, its framebuffer is 0, which is the default framebuffer. */
     struct gl_target screen;
     /* Buffer of one pixel row, used to read back a captured image. */
     uint8_t row[RENDERER_WIDTH_MAX * 4u];

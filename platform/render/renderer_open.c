@@ -57,14 +57,14 @@ static void open_targets(struct renderer *renderer)
     basin_pass_forget(&renderer->basin);
     gl_target_open(&renderer->status, "deck", &renderer->deck,
                    &(struct gl_target_desc){ .internal_format = GL_RGBA8,
-                                             .width = width,
-                                             .height = height,
+                                             .width = scaled(width, quality->screen_scale),
+                                             .height = scaled(height, quality->screen_scale),
                                              .samples = quality->samples });
-    if (quality->samples > 1) {
+    if (quality->samples > 1 || quality->screen_scale < 1.0f) {
         gl_target_open(&renderer->status, "screen", &renderer->screen,
                        &(struct gl_target_desc){ .internal_format = GL_RGBA8,
-                                                 .width = width,
-                                                 .height = height,
+                                                 .width = renderer->deck.width,
+                                                 .height = renderer->deck.height,
                                                  .samples = quality->samples,
                                                  .depth = true });
     }

@@ -175,8 +175,10 @@ static void draw_side(struct renderer *renderer)
     const GLuint caustics = renderer->light.caustics.texture;
     const struct display_transform transform = display_transform_of(
         &(struct display_settings){ .light = 1.0f }, (float)fine_width, (float)fine_height);
-    frame_begin(&renderer->frame, &scene, &transform);
+    frame_begin(&renderer->frame, &scene, &transform,
+                (const uint32_t[2]){ fine_width, fine_height });
     fish_pass_prepare(&renderer->fish, &scene, &renderer->frame.view, &renderer->quality);
+    light_pass_shades(&renderer->light, &renderer->frame.shades);
     light_pass_caustics(&renderer->light, &renderer->textures);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, (GLsizei)fine_width, (GLsizei)fine_height);

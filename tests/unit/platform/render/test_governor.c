@@ -26,13 +26,22 @@ static void begin(uint64_t best_ns, uint32_t hz)
     quality_governor_begin(&machine.governor, hz);
 }
 
-/* Returns the duration of a frame at a quality step. A third of the duration does not depend on the
- * resolution. */
+/* Returns the duration of a frame at a quality step. 15 % of the duration do not depend on the
+ * quality. */
 static uint64_t cost_ns(uint32_t step)
 {
-    const struct quality best = { .scene_scale = 1.0f, .floor_scale = 1.0f, .samples = 1 };
-    const float scale = quality_lower(&best, step).scene_scale;
-    return (uint64_t)((float)machine.best_ns * (0.33f + 0.67f * scale * scale));
+    const struct quality best = { .scene_scale = 1.0f,
+                                  .floor_scale = 1.0f,
+                                  .mirror_scale = 1.0f,
+                                  .screen_scale = 1.0f,
+                                  .samples = 1,
+                                  .lod_near_px = 100.0f };
+    const struct quality now = quality_lower(&best, step);
+    return (uint64_t)((float)machine.best_ns *
+                      (0.15f + 15.0f / now.lod_near_px + 0.10f * now.floor_scale * now.floor_scale +
+                       0.10f * now.mirror_scale * now.mirror_scale +
+                       0.35f * now.screen_scale * now.screen_scale +
+                       0.15f * now.scene_scale * now.scene_scale));
 }
 
 /* Runs frames with vsync, so each frame ends at a refresh of the screen. Returns the number of late
@@ -80,6 +89,27 @@ static void test_the_quality_never_falls_below_the_last_step(void **state)
     begin(900 * MS, 60); /* No quality step makes a frame of 900 ms fast enough. */
     run(60, true);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
+}
+
+static void
+test_a_machine_that_misses_each_frame_shows_every_second_at_the_best_quality(void **state)
+{
+    (void)state;
+    begin(50 * MS, 60); /* 26 ms at the last step, and 31 ms at the fifth. */
+    run(60, false);
+    assert_int_equal(machine.step, 5);
+    machine.changes = 0;
+    assert_in_range(run(600, false), 600 * 30 - 1, 600 * 30 + 1);
+    assert_int_equal(machine.changes, 0);
+    /* A trial of the full frame rate fails, and the same step returns. */
+    run(600, true);
+    run(4, false);
+    assert_int_equal(machine.step, 5);
+    assert_in_range(machine.changes, 2, 10);
+    machine.best_ns = 12 * MS;
+    run(3u * GOVERNOR_PATIENCE_MAX_S, true);
+    assert_int_equal(machine.step, 0);
+    assert_int_equal(run(60, true), 0);
 }
 
 static void test_a_higher_quality_is_tried_between_games_with_increasing_delays(void **state)
@@ -159,6 +189,8 @@ int main(void)
         cmocka_unit_test(test_a_fast_machine_keeps_the_best_quality),
         cmocka_unit_test(test_a_slow_machine_reaches_its_frame_rate_within_ten_seconds),
         cmocka_unit_test(test_the_quality_never_falls_below_the_last_step),
+        cmocka_unit_test(
+            test_a_machine_that_misses_each_frame_shows_every_second_at_the_best_quality),
         cmocka_unit_test(test_a_higher_quality_is_tried_between_games_with_increasing_delays),
         cmocka_unit_test(test_a_low_refresh_rate_does_not_reduce_the_quality),
         cmocka_unit_test(test_a_delayed_frame_does_not_reduce_the_quality),

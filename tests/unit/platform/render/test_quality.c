@@ -1,6 +1,7 @@
 /* test_quality.c -- Tests the render quality that is chosen for each GPU and screen size. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -62,18 +63,32 @@ static void test_a_screen_beyond_the_texture_limit_is_drawn_at_the_limit(void **
 static void test_a_board_gpu_uses_one_sample_and_a_lower_resolution_on_large_screens(void **state)
 {
     (void)state;
-    static const char *const boards[] = {
-        "V3D 4.2",  "V3D 7.1.7.0", "VC4 V3D 2.1", "Broadcom VideoCore VI", "Mali-G610 (Panfrost)",
-        "Panfrost", "Mali-G52",    "Lima",
+    static const struct {
+        const char *name;
+        float scene_width, screen_width;
+    } boards[] = {
+        { "V3D 4.2", 1280.0f, 1280.0f },
+        { "V3D 7.1.7.0", 1920.0f, 1920.0f },
+        { "VC4 V3D 2.1", 1280.0f, 1280.0f },
+        { "Broadcom VideoCore VI", 1600.0f, 1920.0f },
+        { "Mali-G610 (Panfrost)", 1600.0f, 1920.0f },
+        { "Panfrost", 1600.0f, 1920.0f },
+        { "Lima", 1600.0f, 1920.0f },
     };
     for (size_t i = 0; i < sizeof boards / sizeof *boards; i++) {
-        const struct quality_request small = request_of(boards[i], 1280, 720);
-        const struct quality_request large = request_of(boards[i], 1920, 1080);
+        const struct quality_request small = request_of(boards[i].name, 1280, 720);
+        struct quality_request large = request_of(boards[i].name, 1920, 1080);
         assert_false(quality_choose(&small).software);
         assert_int_equal(quality_choose(&small).samples, 1);
         assert_float_equal(quality_choose(&small).scene_scale, 1.0f, 1e-6f);
-        assert_float_equal(1920.0f * quality_choose(&large).scene_scale, 1600.0f, 1.0f);
-        assert_true(quality_choose(&large).floor_scale < quality_choose(&large).scene_scale);
+        assert_float_equal(quality_choose(&small).screen_scale, 1.0f, 1e-6f);
+        const struct quality chosen = quality_choose(&large);
+        assert_float_equal(1920.0f * chosen.scene_scale, boards[i].scene_width, 1.0f);
+        assert_float_equal(1920.0f * chosen.screen_scale, boards[i].screen_width, 1.0f);
+        assert_true(chosen.floor_scale < chosen.scene_scale);
+        large.scene_scale = 1.0f; /* A requested scale takes precedence. */
+        assert_float_equal(quality_choose(&large).screen_scale, 1.0f, 1e-6f);
+        assert_float_equal(quality_choose(&large).scene_scale, 1.0f, 1e-6f);
     }
 }
 
@@ -114,9 +129,16 @@ static void test_each_quality_step_costs_less_than_the_previous_one(void **state
     for (uint32_t step = 1; step <= QUALITY_STEP_MAX; step++) {
         const struct quality lower = quality_lower(&best, step);
         assert_int_equal(lower.samples, 1);
-        assert_true(lower.scene_scale < before.scene_scale);
-        assert_true(lower.floor_scale < before.floor_scale);
-        assert_true(lower.lod_near_px > before.lod_near_px);
+        /* Each step lowers one value. */
+        const bool is_lower[] = { lower.lod_near_px > before.lod_near_px,
+                                  lower.floor_scale < before.floor_scale,
+                                  lower.mirror_scale < before.mirror_scale,
+                                  lower.screen_scale < before.screen_scale,
+                                  lower.scene_scale < before.scene_scale };
+        static const uint32_t order[QUALITY_STEP_MAX] = { 0, 1, 2, 3, 3, 4, 4 };
+        for (uint32_t i = 0; i < sizeof is_lower / sizeof *is_lower; i++) {
+            assert_int_equal(is_lower[i], i == order[step - 1u]);
+        }
         before = lower;
     }
     const struct quality past = quality_lower(&best, QUALITY_STEP_MAX + 1u);
