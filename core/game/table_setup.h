@@ -42,9 +42,9 @@ void table_setup_open(struct control control[POI_MAX], const struct game *game, 
 void table_setup_prepare(struct control control[POI_MAX], const struct game *game,
                          struct world *world, const struct core_config *config, uint8_t preset);
 
-/* Returns true if the bowl of a player who plays alone is on the left, by SET_SIDE. `dip_x_m` is the
- * place of the dip that ended attract mode; 0 means that there was no dip. A dip in the left third
- * of the tank chooses the left side. Under the rules of formats before 10, the bowl is on the
+/* Returns true if the bowl of a player who plays alone is on the left, by SET_SIDE. `dip_x_m` is
+ * the place of the dip that ended attract mode; 0 means that there was no dip. A dip in the left
+ * third of the tank chooses the left side. Under the rules of formats before 10, the bowl is on the
  * right. */
 bool table_setup_bowl_is_left(const struct world *world, const struct core_config *config,
                               float dip_x_m);
