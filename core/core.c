@@ -45,8 +45,8 @@ static void open_world(struct core *core)
     table_setup_open(core->game.control, &core->game, &core->world, &core->config);
     if (table_setup_modes(&core->config) == 1u << CHOICE_LAB && core->config.credit_coins == 0 &&
         core->config.session.tick == 0) {
-        struct output unheard = { 0 };
-        lab_begin(&core->game, &core->world, &core->config, &unheard);
+        struct output discarded = { 0 };
+        lab_begin(&core->game, &core->world, &core->config, &discarded);
     }
 }
 

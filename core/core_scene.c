@@ -255,7 +255,7 @@ static void show_game(const struct core *core, struct scene *scene)
         scene->offer[mode].grade = table_setup_grade(&core->config, (uint8_t)mode);
     }
     credit_show(&core->game.accounts, &core->config, core->game.tick, &scene->credit);
-    scene->asks_menu = (uint8_t)menu_is_asking(&core->game);
+    scene->is_confirming_menu = (uint8_t)menu_is_confirming(&core->game);
     menu_show(&core->game, &core->config, &scene->menu);
     if (game->phase == PHASE_LAB) {
         lab_show(&core->game.lab, &core->config.book, &scene->lab);

@@ -265,8 +265,8 @@ struct scene_credit {
     uint32_t credits;   /* Credits that can be played. */
     uint32_t coming;    /* Credits that are not on disk yet. */
     /* Seconds since the last coin (`coin_s`), and since the last start attempt without a credit
-     * (`asked_s`). A value of one day or more means never. */
-    float coin_s, asked_s;
+     * (`request_s`). A value of one day or more means never. */
+    float coin_s, request_s;
 };
 
 /* ---- Whole scene ----------------------------------------------------------------------------- */
@@ -361,10 +361,10 @@ struct scene {
 
     struct scene_credit credit;
     /* 1 if TEST was pressed in a round, so a second press ends the round; otherwise 0. */
-    uint8_t asks_menu;
+    uint8_t is_confirming_menu;
     /* 1 if the quit key was pressed on a desktop, so a second press ends the program; otherwise 0.
      * The shell fills in this field. */
-    uint8_t asks_quit;
+    uint8_t is_confirming_quit;
     struct scene_menu menu;
     struct scene_devices devices;
     struct scene_lab lab;

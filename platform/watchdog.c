@@ -49,7 +49,7 @@ int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char 
 
 /* Sends `line` to the service manager. Returns true if the service manager accepted the line.
  * Otherwise the caller retries with the next kick. */
-static bool watchdog_say(const struct watchdog *watchdog, const char *line)
+static bool watchdog_send(const struct watchdog *watchdog, const char *line)
 {
     CORE_ASSERT(line);
     const size_t size = strlen(line);
@@ -61,12 +61,12 @@ static void watchdog_kick(void *self)
     struct watchdog *watchdog = self;
     const uint64_t now_ns = watchdog->clock.ops->now_ns(watchdog->clock.self);
     if (!watchdog->reported_ready) {
-        watchdog->reported_ready = watchdog_say(watchdog, "READY=1");
+        watchdog->reported_ready = watchdog_send(watchdog, "READY=1");
         watchdog->is_deaf = !watchdog->reported_ready;
     } else if (now_ns - watchdog->last_kick_ns < watchdog->period_ns) {
         return;
     } else {
-        watchdog->is_deaf = !watchdog_say(watchdog, "WATCHDOG=1");
+        watchdog->is_deaf = !watchdog_send(watchdog, "WATCHDOG=1");
     }
     watchdog->last_kick_ns = now_ns;
 }

@@ -47,7 +47,7 @@ static void log_controller_warning(void *self, const char *line)
 
 /* Reports a rejected mapping file in the log and on the operator's screen. Called only before
  * threads start. */
-static void complain_of_file(void *self, const char *line)
+static void report_mapping_error(void *self, const char *line)
 {
     const struct board_options *options = self;
     log_controller_warning(NULL, line);
@@ -77,11 +77,11 @@ static void usb_open(struct hal *hal, const struct board_options *options)
         .report = log_controller_warning,
     };
     struct board_options report_options = *options;
-    hid_mapping_store_open(&usb.store, options->data_dir, complain_of_file, &report_options);
+    hid_mapping_store_open(&usb.store, options->data_dir, report_mapping_error, &report_options);
     hid_mapping_store_set_error_sink(&usb.store, log_controller_warning, NULL);
     usb.transport = usb_transport_start(&config, usb.text);
     if (usb.text[0]) {
-        complain_of_file(&report_options, usb.text);
+        report_mapping_error(&report_options, usb.text);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         pois[i] = &usb.poi[i];
@@ -99,11 +99,11 @@ static bool is_controller_ready(void *self)
 {
     struct poi_hid *poi = self;
     const struct hal_poi device = poi_hid_devices(poi).poi;
-    struct poi_sample unheard;
+    struct poi_sample discarded;
     if (!poi->is_open) {
         device.ops->open(device.self);
     } else if (!poi->plays) {
-        device.ops->poll(device.self, &unheard, 1);
+        device.ops->poll(device.self, &discarded, 1);
     }
     return poi->plays;
 }
@@ -155,7 +155,8 @@ static void add_source(struct hal_controller_devices parts, bool (*is_present)(v
     input_mux_add(&devices.mux, &source);
 }
 
-static bool wants(const struct board_options *options, enum board_poi kind)
+/* Returns true if the option --poi is auto or selects this kind. */
+static bool is_on(const struct board_options *options, enum board_poi kind)
 {
     return options->poi == BOARD_POI_AUTO || options->poi == kind;
 }
@@ -219,8 +220,8 @@ void controllers_open(struct hal *hal, const struct board_options *options)
     CORE_ASSERT(hal->clock.ops && options);
     /* Pointer devices in use, as bits of enum pointer_filter. The mouse and the touch screen
      * control the same poi. The device that moved last sets the position of the poi. */
-    const uint32_t kinds = (wants(options, BOARD_POI_MOUSE) ? (uint32_t)POINTER_FILTER_MOUSE : 0u) |
-                           (wants(options, BOARD_POI_TOUCH) ? (uint32_t)POINTER_FILTER_TOUCH : 0u);
+    const uint32_t kinds = (is_on(options, BOARD_POI_MOUSE) ? (uint32_t)POINTER_FILTER_MOUSE : 0u) |
+                           (is_on(options, BOARD_POI_TOUCH) ? (uint32_t)POINTER_FILTER_TOUCH : 0u);
     usb_open(hal, options);
     devices.has_pointer = false;
     /* No pointer device is in use, so no driver reads mouse and touch events. SDL therefore drops
@@ -239,7 +240,7 @@ void controllers_open(struct hal *hal, const struct board_options *options)
         add_source(poi_hid_devices(&usb.poi[i]), is_controller_ready, &usb.poi[i], INPUT_KIND_USB,
                    false);
     }
-    if (wants(options, BOARD_POI_PAD)) {
+    if (is_on(options, BOARD_POI_PAD)) {
         add_pads(hal, options);
     }
     if (kinds) {

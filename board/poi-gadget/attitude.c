@@ -11,7 +11,7 @@
 #define PULL_PER_S 1.0f
 /* Maximum difference between the measured acceleration and the gravity g, as a fraction of g, at
  * which the acceleration is used as the vertical direction. */
-#define TRUST_G 0.15f
+#define ACCEL_TOLERANCE_G 0.15f
 /* Rotation rate in rad/s below which the poi counts as still. The value is 3 degrees per second. A
  * poi that is held in a hand rotates faster. */
 #define STILL_RAD_S 0.05f
@@ -72,11 +72,11 @@ struct angles attitude_quaternion_angles(struct quaternion q)
                             .roll_rad = f_atan2(-right_y, up_y) };
 }
 
-static void learn_bias(struct attitude *attitude, vec3 gyro_rad_s, float trust, float seconds)
+static void learn_bias(struct attitude *attitude, vec3 gyro_rad_s, float weight, float seconds)
 {
     const vec3 rest = v3_sub(gyro_rad_s, attitude->bias_rad_s);
     attitude->still_s =
-        v3_length(rest) < STILL_RAD_S && trust > 0.5f ? attitude->still_s + seconds : 0.0f;
+        v3_length(rest) < STILL_RAD_S && weight > 0.5f ? attitude->still_s + seconds : 0.0f;
     if (attitude->still_s > STILL_S) {
         const float share = f_min(BIAS_PER_S * seconds, 1.0f);
         attitude->bias_rad_s =
@@ -91,25 +91,25 @@ void attitude_add_motion(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_
         return;
     }
     const float pull = v3_length(accel_m_s2) / GRAVITY_M_S2;
-    const float trust = f_clamp(1.0f - f_abs(pull - 1.0f) / TRUST_G, 0.0f, 1.0f);
+    const float weight = f_clamp(1.0f - f_abs(pull - 1.0f) / ACCEL_TOLERANCE_G, 0.0f, 1.0f);
     const vec3 up = v3_normalize_or(accel_m_s2, v3(0.0f, 1.0f, 0.0f));
-    if (!attitude->knows) {
+    if (!attitude->is_valid) {
         /* The initial orientation is the shortest rotation that turns `up` to the world's upward
          * direction. If `up` points down, the rotation is a half turn about x. */
         attitude->turn = up.y < -0.9999f
                              ? (struct quaternion){ .x = 1.0f }
                              : normalized((struct quaternion){ 1.0f + up.y, -up.z, 0.0f, up.x });
-        attitude->knows = trust > 0.0f;
+        attitude->is_valid = weight > 0.0f;
         return;
     }
-    learn_bias(attitude, gyro_rad_s, trust, seconds);
+    learn_bias(attitude, gyro_rad_s, weight, seconds);
     /* `world_up` is the middle row of the rotation matrix, which is the world's up direction in the
      * axes of the poi. */
     const struct quaternion q = attitude->turn;
     const vec3 world_up = v3(2.0f * (q.x * q.y + q.w * q.z), 1.0f - 2.0f * (q.x * q.x + q.z * q.z),
                              2.0f * (q.y * q.z - q.w * q.x));
     const vec3 off = v3_cross(up, world_up);
-    const vec3 rate = v3_muladd(v3_sub(gyro_rad_s, attitude->bias_rad_s), off, PULL_PER_S * trust);
+    const vec3 rate = v3_muladd(v3_sub(gyro_rad_s, attitude->bias_rad_s), off, PULL_PER_S * weight);
     const float angle = v3_length(rate) * seconds;
     const vec3 axis = v3_normalize_or(rate, v3(0.0f, 0.0f, 0.0f));
     const struct quaternion step =
@@ -120,7 +120,7 @@ void attitude_add_motion(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_
 void attitude_set(struct attitude *attitude, struct quaternion turn)
 {
     attitude->turn = normalized(turn);
-    attitude->knows = true;
+    attitude->is_valid = true;
 }
 
 struct angles attitude_angles(struct attitude *attitude, float ahead_s, float seconds)
@@ -128,7 +128,7 @@ struct angles attitude_angles(struct attitude *attitude, float ahead_s, float se
     assert(ahead_s >= 0.0f);
     assert(seconds >= 0.0f);
     struct angles angles = attitude_quaternion_angles(attitude->turn);
-    if (!attitude->has_ahead && attitude->knows) {
+    if (!attitude->has_ahead && attitude->is_valid) {
         attitude->ahead_rad = angles.yaw_rad;
         attitude->has_ahead = true;
     }
@@ -243,7 +243,7 @@ void board_pose_step(struct board_pose *pose, const struct readings *readings, f
     out->buttons = readings->buttons;
     out->target.angles = attitude_angles(&pose->attitude, config->ahead_s, seconds);
     pose->wires = feel_wires(pose, readings);
-    if (pose->wires != DRAW_WIRES_OK || !pose->attitude.knows) {
+    if (pose->wires != DRAW_WIRES_OK || !pose->attitude.is_valid) {
         pose->steady.begun = false;
         out->target.position_m.x = __builtin_nanf("");
         return;

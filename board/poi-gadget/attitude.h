@@ -32,7 +32,7 @@ struct quaternion {
 };
 
 struct attitude {
-    bool knows; /* True after gravity was measured for the first time, so that `turn` is valid. */
+    bool is_valid; /* True after gravity was first measured, so that `turn` is valid. */
     struct quaternion turn;
     vec3 bias_rad_s; /* Bias of the gyroscope in rad/s, in the axes of the poi. */
     float still_s;   /* Time in seconds for which the poi has been still. */

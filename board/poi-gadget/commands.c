@@ -94,8 +94,8 @@ observe_after_enter(struct sensors *sensors, struct observation *observed, const
 
 /* Asks the user to hold the eye (the point on the poi's neck at which the three wires meet) on a
  * mark. Then measures the wires and adds the mark to the calibration fits of the three wires. */
-static bool ask_mark(const struct poi_config *config, struct sensors *sensors, uint32_t mark,
-                     struct wire_fit fits[DRAW_WIRE_COUNT])
+static bool measure_mark(const struct poi_config *config, struct sensors *sensors, uint32_t mark,
+                         struct wire_fit fits[DRAW_WIRE_COUNT])
 {
     assert(mark < config->mark_count);
     const vec3 at_m = config->mark_m[mark];
@@ -157,7 +157,7 @@ enum exit_code commands_calibrate(const struct poi_config *config, const char *r
         print_error("kingyo-poi: %s", why);
     } else {
         uint32_t mark = 0;
-        while (mark < config->mark_count && ask_mark(config, &sensors, mark, fits)) {
+        while (mark < config->mark_count && measure_mark(config, &sensors, mark, fits)) {
             mark++;
         }
         if (mark == config->mark_count &&

@@ -103,7 +103,7 @@ static const struct key_code {
 
 /* Adds to `held` the keys that the kernel reports as pressed. If the kernel returns an error,
  * `held` is unchanged. */
-static void ask_levels(struct keys *keys, int fd)
+static void read_key_levels(struct keys *keys, int fd)
 {
     uint8_t bits[KEY_MAX / 8 + 1] = { 0 };
     if (ioctl(fd, EVIOCGKEY(sizeof bits), bits) < 0) {
@@ -128,7 +128,7 @@ void sensors_open_keys(struct keys *keys, const char *root)
         const int fd = is_keys ? open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC) : -1;
         if (fd >= 0) {
             keys->fd[keys->count++] = fd;
-            ask_levels(keys, fd);
+            read_key_levels(keys, fd);
         }
     }
 }
@@ -144,7 +144,7 @@ uint8_t sensors_held_keys(struct keys *keys)
             if (event->type == EV_SYN && event->code == SYN_DROPPED) {
                 keys->held = 0;
                 for (uint32_t k = 0; k < keys->count; k++) {
-                    ask_levels(keys, keys->fd[k]);
+                    read_key_levels(keys, keys->fd[k]);
                 }
             }
             for (size_t k = 0; k < CODE_COUNT && event->type == EV_KEY; k++) {

@@ -45,7 +45,7 @@ static const struct field_table pending_coins_fields = FIELD_TABLE(pending_coins
 #define STRUCT credit
 const struct field_table credit_fields = FIELD_TABLE(credit,
     FIELD(came_back), FIELD(warnings), FIELD(metered), FIELD(shakes), FIELD(tickets),
-    FIELD(coin_tick), FIELD(tilt_tick), FIELD(asked_tick), FIELD(await_tick), FIELD(act_tick),
+    FIELD(coin_tick), FIELD(tilt_tick), FIELD(request_tick), FIELD(await_tick), FIELD(act_tick),
     FIELD_STRUCT(pending_coins, &pending_coins_fields), FIELD_LATER(stand_id, 1),
     FIELD_LATER(ticket_id, 2), FIELD_STRUCT(stand, &stand_fields));
 #undef STRUCT
@@ -139,7 +139,7 @@ static const struct field_table lab_fields = FIELD_TABLE(lab,
     FIELD(species), FIELD(layer), FIELD(playing), FIELD(compare), FIELD(path), FIELD(has_hand),
     FIELD(presses), FIELD(points), FIELD(holds), FIELD(held_knot), FIELD(upright),
     FIELD(stir_tick), FIELD(act_tick), FIELD(rest_ticks), FIELD(start_ticks), FIELD(save_id),
-    FIELD(saved_id), FIELD(asked_id), FIELD(hand), FIELD(edit_refused), FIELD(x), FIELD(y),
+    FIELD(saved_id), FIELD(requested_id), FIELD(hand), FIELD(edit_refused), FIELD(x), FIELD(y),
     FIELD(stir_x), FIELD(stir_y), FIELD(progress), FIELD_STRUCT(edit, &lab_edit_fields),
     FIELD_SKIP(has_edit), FIELD_SKIP(edits));
 
@@ -214,10 +214,10 @@ static const struct field_table self_test_fields = FIELD_TABLE(self_test,
 #define STRUCT menu
 static const struct field_table menu_fields = FIELD_TABLE(menu,
     FIELD(page), FIELD(row), FIELD(upright), FIELD(file_first), FIELD(board), FIELD(score),
-    FIELD(score_is_named), FIELD(score_asks), FIELD(scores), FIELD(chosen), FIELD(turns_down),
+    FIELD(score_is_named), FIELD(is_unnaming), FIELD(scores), FIELD(chosen), FIELD(turns_down),
     FIELD(turning), FIELD(turn_count), FIELD(turn_tick), FIELD(from), FIELD(pin_count),
     FIELD(pin), FIELD(has_hand), FIELD(hand), FIELD(presses), FIELD(points), FIELD(held),
-    FIELD(test_coins), FIELD(coin_tick), FIELD(command_count), FIELD(ask_tick),
+    FIELD(test_coins), FIELD(coin_tick), FIELD(command_count), FIELD(confirm_tick),
     FIELD(take_tick), FIELD(act_tick), FIELD(use_tick), FIELD_BYTES(tag),
     FIELD_BYTES(controllers), FIELD(pressed_count), FIELD(rest), FIELD_SKIP(rules),
     FIELD_STRUCT(calibrate, &calibrate_fields), FIELD_STRUCT(self, &self_test_fields), FIELD(x),

@@ -13,8 +13,8 @@ struct obstacle poi_obstacle(const struct poi *poi)
     const struct angles now = poi->angles, before = poi->before_angles;
     const struct basis axes = vec_basis_from_angles(now);
     /* Computes the fraction [0, 1] of the ring's speed that fish blocked in the last tick. */
-    const float wants_m_s = v3_length(poi->velocity_m_s), had_m_s = v3_length(poi->before_m_s);
-    const float stalled = poi->reaction && had_m_s < wants_m_s ? 1.0f - had_m_s / wants_m_s : 0.0f;
+    const float goal_m_s = v3_length(poi->velocity_m_s), real_m_s = v3_length(poi->before_m_s);
+    const float stalled = poi->reaction && real_m_s < goal_m_s ? 1.0f - real_m_s / goal_m_s : 0.0f;
     return (struct obstacle){
         .kind = OBSTACLE_DISC,
         .centre_m = poi->position_m,

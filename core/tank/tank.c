@@ -75,7 +75,7 @@ struct broad_phase_search tank_search(const struct tank *tank)
     return (struct broad_phase_search){ .search = tank->search, .lanes = tank->lanes };
 }
 
-static void think_in_turn(struct tank *tank, struct perception around)
+static void update_behaviors(struct tank *tank, struct perception around)
 {
     CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX);
     for (uint32_t i = 0; i < tank->fish_count; i++) {
@@ -201,7 +201,7 @@ void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
                                           tank->lanes };
     make_waves(tank, tick);
     contact_solver_begin(&tank->solver, tank->fish, tank->fish_count);
-    think_in_turn(tank, around);
+    update_behaviors(tank, around);
     const struct shoal shoal = {
         .fish = tank->fish,
         .body = tank->broad_phase.body,

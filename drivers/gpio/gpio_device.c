@@ -229,11 +229,11 @@ void gpio_thread_stop(struct gpio_thread *reader)
     bool has_pulses = true;
     CORE_ASSERT(reader->runs);
     for (uint32_t i = 0; i < STOP_STEPS_MAX && has_pulses; i++) {
-        uint32_t asked = 0;
+        uint32_t requested = 0;
         for (uint32_t output = 0; output < GPIO_OUTPUT_COUNT; output++) {
-            asked |= atomic_load(&reader->pulses[output]);
+            requested |= atomic_load(&reader->pulses[output]);
         }
-        has_pulses = asked > 0 || atomic_load(&reader->owed) > 0;
+        has_pulses = requested > 0 || atomic_load(&reader->owed) > 0;
         if (has_pulses) {
             nanosleep(&step, NULL);
         }
@@ -300,8 +300,8 @@ static uint32_t switch_pending(void *self, enum hal_switch which)
 {
     struct gpio_thread *reader = self;
     CORE_ASSERT(which < HAL_SWITCH_COUNT);
-    const uint32_t asked = atomic_load(&reader->pulses[which]);
-    return asked + atomic_load(&reader->pending[which]);
+    const uint32_t requested = atomic_load(&reader->pulses[which]);
+    return requested + atomic_load(&reader->pending[which]);
 }
 
 struct hal_buttons gpio_thread_buttons(struct gpio_thread *reader)

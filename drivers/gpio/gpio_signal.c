@@ -101,9 +101,9 @@ static bool take_late(struct gpio_edge_filter *input, uint64_t time_ns,
     CORE_ASSERT(is_proof(&input->other));
     input->late++;
     input->blinked_ns = NEVER;
-    /* Later edge events with time stamps up to `believed_ns` belong to the same pulse and are
+    /* Later edge events with time stamps up to `accepted_ns` belong to the same pulse and are
      * ignored. */
-    input->believed_ns = back_ns == NEVER ? input->other.last_ns : back_ns;
+    input->accepted_ns = back_ns == NEVER ? input->other.last_ns : back_ns;
     end_looks(input, true);
     const bool turned = gpio_debounce_edge(debounce, time_ns, !before, out);
     return turned || back_ns == NEVER ? turned : gpio_debounce_edge(debounce, back_ns, before, out);
@@ -144,11 +144,11 @@ bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edg
 {
     const struct gpio_poll_edges *other = &input->other;
     const bool changes = edge->active != input->debounce.raw;
-    CORE_ASSERT(input->believed_ns != NEVER);
+    CORE_ASSERT(input->accepted_ns != NEVER);
     input->lost += edge->lost_before;
-    if (edge->time_ns <= input->believed_ns) {
+    if (edge->time_ns <= input->accepted_ns) {
         /* A polled level that was accepted in place of edge events already includes every edge up
-         * to `believed_ns`. Therefore this edge is ignored. */
+         * to `accepted_ns`. Therefore this edge is ignored. */
         return false;
     }
     if (edge->lost_before == 0 && is_proof(other) && edge->time_ns <= other->since_ns &&
@@ -181,7 +181,7 @@ bool gpio_edge_filter_level(struct gpio_edge_filter *input, uint64_t now_ns, boo
             return false;
         }
         turned = gpio_debounce_edge(&input->debounce, other->since_ns, active, out);
-        input->believed_ns = now_ns;
+        input->accepted_ns = now_ns;
         input->blinked_ns = NEVER;
         input->lost++;
         *other = no_looks;

@@ -108,7 +108,7 @@ struct gpio_edge_filter {
     uint64_t reported_ns;
     /* Time of the newest polled level that the filter accepted in place of edge events. Edge events
      * with time stamps up to this time are ignored. */
-    uint64_t believed_ns;
+    uint64_t accepted_ns;
     /* Times of the polls that read a level other than the level after the last edge. */
     struct gpio_poll_edges other;
     /* Number of null edges (edge events without a change of the level) since

@@ -38,13 +38,13 @@ int hid_mapping_store_file_read(const char *path, char text[HID_MAPPING_STORE_TE
 #define FOLDER "pois"
 #define SUFFIX ".poi"
 
-struct complaints {
-    void (*complain)(void *self, const char *line);
+struct load_errors {
+    void (*log_error)(void *self, const char *line);
     void *self;
     uint32_t count;
 };
 
-static void report_complaint(struct complaints *to, const char *path, int line, const char *what)
+static void add_load_error(struct load_errors *to, const char *path, int line, const char *what)
 {
     char text[HID_MAPPING_STORE_PATH_SIZE + 256u + HAL_TEXT_SIZE + 32u], number[16] = "";
     if (line > 0) {
@@ -52,8 +52,8 @@ static void report_complaint(struct complaints *to, const char *path, int line, 
     }
     snprintf(text, sizeof text, "%s%s: %s", path, number, what);
     to->count++;
-    if (to->complain) {
-        to->complain(to->self, text);
+    if (to->log_error) {
+        to->log_error(to->self, text);
     }
 }
 
@@ -75,7 +75,7 @@ static uint32_t find_entry(const struct hid_mapping_store *store, uint16_t vendo
     return store->count;
 }
 
-static void read_entry(struct hid_mapping_store *store, const char *path, struct complaints *to)
+static void read_entry(struct hid_mapping_store *store, const char *path, struct load_errors *to)
 {
     CORE_ASSERT(store->count <= HID_MAPPING_STORE_MAX);
     char text[HID_MAPPING_STORE_TEXT_SIZE], why[HAL_TEXT_SIZE];
@@ -83,27 +83,27 @@ static void read_entry(struct hid_mapping_store *store, const char *path, struct
     const int error = hid_mapping_store_file_read(path, text);
     const int bad_line = error ? 0 : hid_mapping_store_read(&entry, text, why);
     if (error || bad_line) {
-        report_complaint(to, path, bad_line, error ? strerror(error) : why);
+        add_load_error(to, path, bad_line, error ? strerror(error) : why);
         return;
     }
     const uint32_t index = find_entry(store, entry.vendor, entry.product, entry.serial);
     if (index == HID_MAPPING_STORE_MAX) {
-        report_complaint(to, path, 0,
-                         "the mapping store is full: delete files of unused controllers");
+        add_load_error(to, path, 0,
+                       "the mapping store is full: delete files of unused controllers");
         return;
     }
     store->entry[index] = entry;
     store->count += index == store->count;
 }
 
-static void read_folder(struct hid_mapping_store *store, struct complaints *to)
+static void read_folder(struct hid_mapping_store *store, struct load_errors *to)
 {
     char path[HID_MAPPING_STORE_PATH_SIZE + 256u];
     DIR *folder = opendir(store->folder);
     const struct dirent *file;
     if (!folder) {
         if (errno != ENOENT) {
-            report_complaint(to, store->folder, 0, strerror(errno));
+            add_load_error(to, store->folder, 0, strerror(errno));
         }
         return;
     }
@@ -209,9 +209,9 @@ static int give_job(struct hid_mapping_store *store, const struct hid_mapping_st
 /* ---- Public functions ----------------------------------------------------------------------- */
 
 uint32_t hid_mapping_store_open(struct hid_mapping_store *store, const char *data,
-                                void (*complain_to)(void *self, const char *line), void *self)
+                                void (*log_error)(void *self, const char *line), void *self)
 {
-    struct complaints to = { .complain = complain_to, .self = self };
+    struct load_errors to = { .log_error = log_error, .self = self };
     memset(store, 0, sizeof *store);
     pthread_mutex_init(&store->lock, NULL);
     pthread_cond_init(&store->changed, NULL);
@@ -220,14 +220,14 @@ uint32_t hid_mapping_store_open(struct hid_mapping_store *store, const char *dat
     }
     const int length = snprintf(store->folder, sizeof store->folder, "%s/" FOLDER, data);
     if ((size_t)length >= sizeof store->folder) {
-        report_complaint(&to, data, 0, "the path is too long for storing learned controllers");
+        add_load_error(&to, data, 0, "the path is too long for storing learned controllers");
         return to.count;
     }
     read_folder(store, &to);
     store->has_thread = thread_start(&store->thread, write_jobs, store) == 0;
     if (!store->has_thread) {
-        report_complaint(&to, store->folder, 0,
-                         "the writer thread cannot start: learned controllers are not stored");
+        add_load_error(&to, store->folder, 0,
+                       "the writer thread cannot start: learned controllers are not stored");
     }
     return to.count;
 }

@@ -50,10 +50,10 @@ struct hid_mapping_store {
 };
 
 /* Reads the mappings in the folder pois/ of the data folder `data` and starts the writer thread. If
- * `data` is null the mappings are kept in memory only. Each error is passed to `complain` as one
- * line "FILE:LINE: what"; `complain` may be null. Returns the number of errors. */
+ * `data` is null the mappings are kept in memory only. Each error is passed to `log_error` as one
+ * line "FILE:LINE: what"; `log_error` may be null. Returns the number of errors. */
 uint32_t hid_mapping_store_open(struct hid_mapping_store *store, const char *data,
-                                void (*complain)(void *self, const char *line), void *self);
+                                void (*log_error)(void *self, const char *line), void *self);
 
 /* Returns the learned mapping for the vendor, product and serial number of `identity`, or null if
  * there is none. */

@@ -125,8 +125,8 @@ static void mouse_poi_take_event(struct mouse_poi *mouse, const SDL_Event *event
 {
     CORE_ASSERT(event);
     const bool is_finger = event->type >= SDL_FINGERDOWN;
-    const uint32_t heed = is_finger ? POINTER_FILTER_TOUCH : POINTER_FILTER_MOUSE;
-    if (mouse->enabled & heed) {
+    const uint32_t filter = is_finger ? POINTER_FILTER_TOUCH : POINTER_FILTER_MOUSE;
+    if (mouse->enabled & filter) {
         /* A window that opens under a resting pointer causes a motion event, which must not count
          * as use by a person. Use is recorded after CREEP_PX of motion. */
         const bool is_motion = event->type == SDL_MOUSEMOTION;

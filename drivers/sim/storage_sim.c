@@ -56,7 +56,7 @@ static int storage_sim_fetch_replay(void *self, uint32_t round_id, uint8_t *byte
     if (sim->replay == NULL) {
         return HAL_ERR_ABSENT;
     }
-    sim->replay_asked_id = round_id;
+    sim->replay_requested_id = round_id;
     *round = round_id == sim->round.id ? sim->round : (struct ledger_entry){ 0 };
     if (round_id == sim->replay_id && size >= sim->replay_size) {
         memcpy(bytes, sim->replay, sim->replay_size);
@@ -68,7 +68,7 @@ static int storage_sim_replay_fetched(void *self)
 {
     struct storage_sim *sim = self;
     CORE_ASSERT(sim->replay_size <= sim->replay_room || !sim->replay);
-    const bool is_there = sim->replay_id != 0 && sim->replay_asked_id == sim->replay_id;
+    const bool is_there = sim->replay_id != 0 && sim->replay_requested_id == sim->replay_id;
     return !is_replay_done(sim) ? HAL_ERR_BUSY : is_there ? (int)sim->replay_size : HAL_ERR_ABSENT;
 }
 

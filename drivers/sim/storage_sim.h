@@ -32,7 +32,7 @@ struct storage_sim {
     /* Number of further calls of stored_id() or fetched() until the replay is stored
      * or fetched. */
     uint32_t replay_polls_left;
-    uint32_t replay_asked_id;       /* Round id in the last call of fetch(). */
+    uint32_t replay_requested_id;   /* Round id in the last call of fetch(). */
     struct persistent_state memory; /* Result of load(): the state at the program start. */
     /* Result of needs_restart(): true if a store became available after the program start. */
     bool needs_restart;

@@ -15,10 +15,10 @@
 
 static bool add_setting(struct options *options, uint32_t id, int32_t value)
 {
-    struct options_query_result *asked = options->is_file ? &options->file : &options->words;
+    struct options_query_result *source = options->is_file ? &options->file : &options->words;
     CORE_ASSERT(id < SETTING_COUNT);
-    asked->value[id] = value;
-    asked->is_set[id] = true;
+    source->value[id] = value;
+    source->is_set[id] = true;
     return true;
 }
 
@@ -324,11 +324,11 @@ void options_print_help(void)
 
 /* ---- Combination of the sources of settings ------------------------------------------------ */
 
-static void put_asked(const struct options_query_result *asked, struct settings *settings)
+static void apply_source(const struct options_query_result *source, struct settings *settings)
 {
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        if (asked->is_set[id]) {
-            settings->value[id] = asked->value[id];
+        if (source->is_set[id]) {
+            settings->value[id] = source->value[id];
         }
     }
 }
@@ -336,13 +336,13 @@ static void put_asked(const struct options_query_result *asked, struct settings 
 void options_first(const struct options *options, struct settings *settings)
 {
     settings_reset(settings);
-    put_asked(&options->machine, settings);
-    put_asked(&options->file, settings);
+    apply_source(&options->machine, settings);
+    apply_source(&options->file, settings);
 }
 
 void options_last(const struct options *options, struct settings *settings)
 {
-    put_asked(&options->words, settings);
+    apply_source(&options->words, settings);
 }
 
 bool options_query(const struct options *options, uint32_t id)

@@ -38,8 +38,8 @@ static void print_command_help(const struct ctl_command *command)
     if (command->notes) {
         printf("\n%s", command->notes);
     }
-    if (command->tell_more) {
-        command->tell_more();
+    if (command->print_more_help) {
+        command->print_more_help();
     }
 }
 

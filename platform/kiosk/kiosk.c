@@ -11,9 +11,9 @@
 #include "platform/kiosk/recorder/session_recorder.h"
 #include "platform/system_health.h"
 
-/* Maximum time between two presses of the quit key. The time equals MENU_ASK_TICKS, which is the
- * maximum time between two presses of the TEST button during a round. */
-#define QUIT_ASK_NS 5000000000ull
+/* Maximum time between two presses of the quit key. The time equals MENU_CONFIRM_TICKS, the maximum
+ * time between two presses of the TEST button during a round. */
+#define QUIT_CONFIRM_NS 5000000000ull
 #define RETRY_NS 1000000000ull /* Interval between two attempts to reopen a lost display. */
 
 static void read_wall(struct kiosk *kiosk, const struct hal *hal)
@@ -96,14 +96,14 @@ uint32_t kiosk_fault_count(const struct kiosk_faults *faults)
 /* ---- Sampling the devices ------------------------------------------------------------------ */
 
 /* Returns true if the quit key was pressed once, so that a second press ends the kiosk. */
-static bool asks_to_quit(const struct kiosk *kiosk)
+static bool is_confirming_quit(const struct kiosk *kiosk)
 {
     return kiosk->sampled_ns < kiosk->quit_until_ns;
 }
 
-/* Handles the quit key. A kiosk on a desktop requires a second press within QUIT_ASK_NS, because
- * Esc is easily pressed by accident. Any other button cancels the first press. A replay ends at the
- * first press. In the operator's menu the quit key returns to the previous page. */
+/* Handles the quit key. A kiosk on a desktop requires a second press within QUIT_CONFIRM_NS,
+ * because Esc is easily pressed by accident. Any other button cancels the first press. A replay
+ * ends at the first press. In the operator's menu the quit key returns to the previous page. */
 static void handle_quit_key(struct kiosk *kiosk, const struct button_sample *buttons)
 {
     const bool is_menu = kiosk->output.phase == PHASE_MENU;
@@ -115,10 +115,10 @@ static void handle_quit_key(struct kiosk *kiosk, const struct button_sample *but
     }
     if (is_menu) {
         kiosk->input.pressed |= MENU_WAY_BACK;
-    } else if (asks_to_quit(kiosk) || kiosk->config.source.next) {
+    } else if (is_confirming_quit(kiosk) || kiosk->config.source.next) {
         kiosk->end = KIOSK_QUIT;
     } else {
-        kiosk->quit_until_ns = kiosk->sampled_ns + QUIT_ASK_NS;
+        kiosk->quit_until_ns = kiosk->sampled_ns + QUIT_CONFIRM_NS;
     }
 }
 
@@ -316,7 +316,7 @@ static void complete_scene(struct kiosk *kiosk, const struct hal *hal, uint32_t 
                              tick_count);
         score_playback_show(playback, &kiosk->scene, &kiosk->output);
     }
-    kiosk->scene.asks_quit = asks_to_quit(kiosk);
+    kiosk->scene.is_confirming_quit = is_confirming_quit(kiosk);
     /* Copies the newest system health, and forwards the operator's acknowledgement to the health
      * monitor. Never blocks. */
     struct system_health *machine = kiosk->config.machine;

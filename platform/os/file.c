@@ -92,8 +92,8 @@ struct bounded {
 static ssize_t bounded_read(void *cookie, char *out, size_t size)
 {
     struct bounded *bounded = cookie;
-    const size_t ask = size > bounded->left ? (size_t)bounded->left + 1u : size;
-    const ssize_t got = read(bounded->handle, out, ask);
+    const size_t request_size = size > bounded->left ? (size_t)bounded->left + 1u : size;
+    const ssize_t got = read(bounded->handle, out, request_size);
     if (got > 0 && (size_t)got > bounded->left) {
         errno = EFBIG;
         return -1;

@@ -172,8 +172,8 @@ static int display_open(void *self)
     struct display_gl *const display = self;
     display_gl_release(display);
     display->lost = display->broken = false;
-    const char *const asked = SDL_getenv("SDL_VIDEODRIVER");
-    display->is_bare = !display->config.off_screen && asked && strcasecmp(asked, "kmsdrm") == 0;
+    const char *const env = SDL_getenv("SDL_VIDEODRIVER");
+    display->is_bare = !display->config.off_screen && env && strcasecmp(env, "kmsdrm") == 0;
     display->plugged = screen_connectors(display->config.sockets);
     display->looked_ns = display_gl_now_ns();
     display->changed_looks = 0;

@@ -204,16 +204,16 @@ int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
 bool replay_is_open(const struct replay_writer *writer);
 
 /* Adds one tick. If the tick is the last of a second, writes a chunk to the file. `digest` is used
- * only if replay_wants_digest() returns true, and `totals->hash` only if replay_wants_hash()
+ * only if replay_needs_digest() returns true, and `totals->hash` only if replay_needs_hash()
  * returns true. A failed write ends the recording and sets `error`. The file then ends with the
  * last complete second. */
 void replay_add(struct replay_writer *writer, const struct input *input, uint32_t digest,
                 const struct replay_totals *totals);
 
-/* replay_wants_digest() returns true if the next replay_add() uses `digest`. replay_wants_hash()
+/* replay_needs_digest() returns true if the next replay_add() uses `digest`. replay_needs_hash()
  * returns true if the next replay_add() uses `totals->hash`. */
-bool replay_wants_digest(const struct replay_writer *writer);
-bool replay_wants_hash(const struct replay_writer *writer);
+bool replay_needs_digest(const struct replay_writer *writer);
+bool replay_needs_hash(const struct replay_writer *writer);
 
 /* Writes the last, incomplete second and closes the file. `hash` is core_hash() of the current
  * state. Returns 0, or the negative errno of the failure that ended the recording. */

@@ -228,12 +228,12 @@ static void write_chunk(struct replay_writer *writer)
     writer->payload_size = 0;
 }
 
-bool replay_wants_hash(const struct replay_writer *writer)
+bool replay_needs_hash(const struct replay_writer *writer)
 {
     return replay_is_open(writer) && writer->chunk_ticks + 1 == REPLAY_CHUNK_TICKS;
 }
 
-bool replay_wants_digest(const struct replay_writer *writer)
+bool replay_needs_digest(const struct replay_writer *writer)
 {
     return replay_is_open(writer) && (writer->totals.ticks + 1u) % writer->digest_ticks == 0;
 }
@@ -248,7 +248,7 @@ void replay_add(struct replay_writer *writer, const struct input *input, uint32_
     CORE_ASSERT(totals->ticks == writer->totals.ticks + 1);
     uint8_t *out = writer->bytes + REPLAY_CHUNK_HEAD_SIZE + writer->payload_size;
     size_t size = replay_encode_input(&writer->last, input, out);
-    if (replay_wants_digest(writer)) {
+    if (replay_needs_digest(writer)) {
         replay_put_u32(out + size, digest);
         size += 4;
     }

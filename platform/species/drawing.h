@@ -157,9 +157,9 @@ struct loft {
 extern const struct detail species_detail[SPECIES_LOD_COUNT];
 
 /* Reads a whole species file. Returns true if the text is valid. Otherwise writes one line
- * 'PATH:LINE: error' to `complaints` and returns false. `species` is then incomplete and must not
+ * 'PATH:LINE: error' to `errors` and returns false. `species` is then incomplete and must not
  * be used. */
-bool species_read(FILE *file, const char *path, FILE *complaints, struct species_text *species);
+bool species_read(FILE *file, const char *path, FILE *errors, struct species_text *species);
 
 /* Builds the meshes of all keys. Vertex numbers and triangles are the same in every key. Each mesh
  * is scaled so that its length is 1, measured as the species' length measure (enum species_measure)

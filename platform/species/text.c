@@ -35,7 +35,7 @@ bool species_reader_error(const struct species_reader *r, const char *format, ..
     va_start(values, format);
     vsnprintf(text, sizeof text, format, values);
     va_end(values);
-    print_line(r->complaints, "%s:%u: %s", r->path, r->line, text);
+    print_line(r->errors, "%s:%u: %s", r->path, r->line, text);
     return false;
 }
 
@@ -360,9 +360,9 @@ static bool read_line(struct species_reader *r)
     return word->read(r);
 }
 
-bool species_read(FILE *file, const char *path, FILE *complaints, struct species_text *species)
+bool species_read(FILE *file, const char *path, FILE *errors, struct species_text *species)
 {
-    struct species_reader r = { .path = path, .complaints = complaints, .species = species };
+    struct species_reader r = { .path = path, .errors = errors, .species = species };
     memset(species, 0, sizeof *species);
     species->card.curve_count = 1;
     memcpy(species->card.curve_names[0], "whole", sizeof "whole");

@@ -16,7 +16,7 @@
 
 struct species_reader {
     const char *path;
-    FILE *complaints;
+    FILE *errors;
     uint32_t line;
     char text[TEXT_LINE_SIZE];
     const char *words[TEXT_WORD_MAX];

@@ -33,7 +33,7 @@ uint32_t league_arm(struct league *league, const char *name, const struct round_
         }
     }
     if (league->arm_count == LEAGUE_ARMS_MAX) {
-        fprintf(stderr, "%s: more than %u arms\n", league->speaker, LEAGUE_ARMS_MAX);
+        fprintf(stderr, "%s: more than %u arms\n", league->prefix, LEAGUE_ARMS_MAX);
         /* No benchmark adds more than LEAGUE_ARMS_MAX arms, so this is a programming error. */
         abort();
     }
@@ -69,7 +69,7 @@ static struct round_result *sort_results(const struct league *league,
 enum exit_code league_play(struct league *league)
 {
     const uint32_t count = league->seeds * league->arm_count;
-    struct progress progress = progress_begin(league->speaker, count);
+    struct progress progress = progress_begin(league->prefix, count);
     struct round_plan *plans = plan_all(league);
     struct round_result *played = calloc(count, sizeof *played);
     const struct rounds rounds = { .plans = plans,
@@ -84,7 +84,7 @@ enum exit_code league_play(struct league *league)
     free(played);
     league->took_s = progress_end(&progress);
     if (!sorted) {
-        fprintf(stderr, "%s: a round did not come to its end\n", league->speaker);
+        fprintf(stderr, "%s: a round did not come to its end\n", league->prefix);
         return EXIT_NOT_SO;
     }
     for (uint32_t i = 0; i < league->arm_count; i++) {
@@ -114,7 +114,7 @@ FILE *league_file(const struct league *league, const char *folder, const char *n
     snprintf(path, sizeof path, "%s/%s", folder, name);
     FILE *file = fopen(path, "w");
     if (!file) {
-        fprintf(stderr, "%s: %s: %s\n", league->speaker, path, strerror(errno));
+        fprintf(stderr, "%s: %s: %s\n", league->prefix, path, strerror(errno));
     }
     return file;
 }
@@ -123,7 +123,7 @@ enum exit_code league_close(const struct league *league, FILE *file, const char 
 {
     const int failed = ferror(file);
     if (fclose(file) != 0 || failed) {
-        fprintf(stderr, "%s: %s: cannot be written\n", league->speaker, name);
+        fprintf(stderr, "%s: %s: cannot be written\n", league->prefix, name);
         return EXIT_IO;
     }
     return EXIT_OK;

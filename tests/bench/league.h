@@ -19,7 +19,7 @@ struct arm {
 };
 
 struct league {
-    const char *speaker;
+    const char *prefix;
     uint32_t seeds; /* Number of seeds, 1 .. LEAGUE_SEEDS_MAX. */
     uint32_t first; /* First seed. The other seeds are the next numbers. */
     uint32_t arm_count;

@@ -12,9 +12,9 @@ static double now_s(void)
     return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
 }
 
-struct progress progress_begin(const char *speaker, uint32_t count)
+struct progress progress_begin(const char *prefix, uint32_t count)
 {
-    return (struct progress){ .speaker = speaker,
+    return (struct progress){ .prefix = prefix,
                               .unit = "rounds",
                               .count = count,
                               .begin_s = now_s(),
@@ -29,10 +29,10 @@ void progress_add(struct progress *progress)
     const double left_s =
         took_s / (double)progress->played * (double)(progress->count - progress->played);
     if (progress->is_watched) {
-        fprintf(stderr, "\r%s: %u of %u %s, %.0f s, %.0f s to go   ", progress->speaker,
+        fprintf(stderr, "\r%s: %u of %u %s, %.0f s, %.0f s to go   ", progress->prefix,
                 progress->played, progress->count, progress->unit, took_s, left_s);
     } else if (percent / 10u > progress->printed_percent / 10u) {
-        fprintf(stderr, "%s: %u of %u %s, %.0f s, %.0f s to go\n", progress->speaker,
+        fprintf(stderr, "%s: %u of %u %s, %.0f s, %.0f s to go\n", progress->prefix,
                 progress->played, progress->count, progress->unit, took_s, left_s);
     }
     progress->printed_percent = percent;

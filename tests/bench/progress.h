@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 struct progress {
-    const char *speaker;
+    const char *prefix;
     /* Word for what is counted. The default is "rounds"; the caller may change the word. */
     const char *unit;
     uint32_t played, count, printed_percent;
@@ -14,8 +14,8 @@ struct progress {
     bool is_watched; /* True if standard error is a terminal. */
 };
 
-/* Starts to count the progress of `count` rounds. `speaker` is the program's name in the output. */
-struct progress progress_begin(const char *speaker, uint32_t count);
+/* Starts to count the progress of `count` rounds. `prefix` is the program's name in the output. */
+struct progress progress_begin(const char *prefix, uint32_t count);
 
 /* Counts one more round. On a terminal, the function prints the progress after each round;
  * otherwise it prints the progress after each tenth of the rounds. The caller must ensure that only

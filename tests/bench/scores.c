@@ -15,7 +15,7 @@
 #include "platform/os/number.h"
 #include "tests/bench/league.h"
 
-static const char speaker[] = "scores";
+static const char prefix[] = "scores";
 
 static const struct goal {
     const char *name;
@@ -73,7 +73,7 @@ static int print_goal(const struct league *league, uint32_t arm, const struct go
 
 int main(int argc, char **argv)
 {
-    struct league league = { .speaker = speaker };
+    struct league league = { .prefix = prefix };
     uint32_t arms[GOAL_COUNT];
     int well = 1;
     if (argc != 3 || !number_parse(argv[1], 1, LEAGUE_SEEDS_MAX, &league.seeds)) {

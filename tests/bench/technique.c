@@ -35,7 +35,7 @@
 #define GRADE 6u
 #define PATH_CHARS 1200u
 
-static const char speaker[] = "technique";
+static const char prefix[] = "technique";
 
 static const struct experiment {
     /* Names of the .bot files of the two bots. The first bot is expected to catch more. */
@@ -75,7 +75,7 @@ static enum exit_code add_arm(struct league *league, const char *folder, const c
     };
     char path[PATH_CHARS];
     snprintf(path, sizeof path, "%s/%s.bot", folder, name);
-    const enum exit_code code = bot_file_read(speaker, path, &plan.technique);
+    const enum exit_code code = bot_file_read(prefix, path, &plan.technique);
     if (code == EXIT_OK) {
         *out = league_arm(league, name, &plan);
     }
@@ -90,7 +90,7 @@ static enum exit_code add_experiment(struct league *league, const char *folder,
     enum exit_code code = add_arm(league, folder, experiment->better, &trial->better);
     code = code == EXIT_OK ? add_arm(league, folder, experiment->worse, &trial->worse) : code;
     if (code == EXIT_OK && trial->better == trial->worse) {
-        fprintf(stderr, "%s: %s.bot and %s.bot play alike\n", speaker, experiment->better,
+        fprintf(stderr, "%s: %s.bot and %s.bot play alike\n", prefix, experiment->better,
                 experiment->worse);
         return EXIT_BAD_DATA;
     }
@@ -174,7 +174,7 @@ static enum exit_code write_trials(const struct league *league, const struct tri
 
 int main(int argc, char **argv)
 {
-    struct league league = { .speaker = speaker };
+    struct league league = { .prefix = prefix };
     struct trial trials[EXPERIMENT_COUNT] = { 0 };
     if (argc < 4 || argc > 5 || !number_parse(argv[1], 1, LEAGUE_SEEDS_MAX, &league.seeds) ||
         (argc == 5 && !number_parse(argv[4], 0, UINT32_MAX, &league.first))) {

@@ -178,20 +178,20 @@ static void fill_cabinet(struct scene *scene, const char *name)
     static const struct {
         const char *name;
         struct scene_credit credit;
-        uint8_t asks_menu;
+        uint8_t is_confirming_menu;
     } cabinets[] = {
-        { "coin", { .price = 3, .unpaid = 1, .units = 1, .coin_s = 60.0f, .asked_s = 0.2f }, 0 },
-        { "paid", { .price = 3, .credits = 2, .coin_s = 0.1f, .asked_s = 60.0f }, 0 },
+        { "coin", { .price = 3, .unpaid = 1, .units = 1, .coin_s = 60.0f, .request_s = 0.2f }, 0 },
+        { "paid", { .price = 3, .credits = 2, .coin_s = 0.1f, .request_s = 60.0f }, 0 },
         { "warned", { .warnings = WARN_TILT | WARN_DOOR | WARN_NO_POI }, 0 },
         { "ask", { .price = 1 }, 1 },
         { "paidback",
-          { .price = 1, .credits = 1, .came_back = 1, .coin_s = 60.0f, .asked_s = 60.0f },
+          { .price = 1, .credits = 1, .came_back = 1, .coin_s = 60.0f, .request_s = 60.0f },
           0 },
     };
     for (size_t i = 0; i < sizeof cabinets / sizeof *cabinets; i++) {
         if (strcmp(cabinets[i].name, name) == 0) {
             scene->credit = cabinets[i].credit;
-            scene->asks_menu = cabinets[i].asks_menu;
+            scene->is_confirming_menu = cabinets[i].is_confirming_menu;
         }
     }
 }
@@ -203,7 +203,7 @@ static void fill_playback(struct scene *scene, const char *name)
     for (uint8_t i = 0; i < PLAYBACK_COUNT; i++) {
         scene->playback = strcmp(names[i], name) == 0 ? i : scene->playback;
     }
-    scene->asks_quit = strcmp(name, "quit") == 0;
+    scene->is_confirming_quit = strcmp(name, "quit") == 0;
     scene->playback_progress = 0.4f;
     scene->veil = strcmp(name, "dusk") == 0 ? 0.7f : 0.0f;
 }

@@ -46,7 +46,7 @@ static void print_state(FILE *file, const struct twin *twin)
             menu_tag_of(MENU_DEVICES), menu_tag_of(MENU_LINES), menu_tag_of(MENU_UPKEEP),
             menu_tag_of(MENU_FILES), menu_tag_count(menu->page, false) - 1u);
     fprintf(file, "asks %d\npage %u\ntag %u\ntest_coins %u\nfiles %u\n",
-            menu_is_asking(&core->game), menu->page, menu->tag[menu->page], menu->test_coins,
+            menu_is_confirming(&core->game), menu->page, menu->tag[menu->page], menu->test_coins,
             menu->controllers.file_count);
     const uint8_t phase = core->game.phase;
     fprintf(file, "is_ready %d\nis_round %d\n", phase == PHASE_READY, phase == PHASE_ROUND);

@@ -93,7 +93,7 @@ struct credit {
     uint32_t coin_tick; /* Tick at which the last coin was inserted. */
     uint32_t tilt_tick; /* Tick at which the cabinet was last tilted or shaken; 0 means never. */
     /* Tick of the last attempt to start a game without a credit; 0 means never. */
-    uint32_t asked_tick;
+    uint32_t request_tick;
     /* Tick of the last start attempt that had to wait because its credit was not on disk yet; 0
      * means never. */
     uint32_t await_tick;

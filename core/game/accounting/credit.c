@@ -53,7 +53,7 @@ void credit_request(struct accounts *accounts, uint32_t tick, struct output *out
         credit->await_tick = tick;
         return;
     }
-    credit->asked_tick = tick;
+    credit->request_tick = tick;
     output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
 }
 
@@ -187,6 +187,6 @@ void credit_show(const struct accounts *accounts, const struct core_config *conf
         .credits = committed_credits(&accounts->ledger),
         .coming = coming_credits(&accounts->ledger),
         .coin_s = seconds_since_event(tick, credit->coin_tick),
-        .asked_s = seconds_since_event(tick, credit->asked_tick),
+        .request_s = seconds_since_event(tick, credit->request_tick),
     };
 }

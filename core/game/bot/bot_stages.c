@@ -50,7 +50,7 @@ static void bot_set_stage(struct bot *bot, uint8_t stage, uint32_t tick)
 }
 
 /* Sets the goal of the arm, with the current handle yaw and the default acceleration time. */
-static void bot_want(struct bot *bot, vec3 position_m, float pitch_rad, float speed_m_s)
+static void bot_set_goal(struct bot *bot, vec3 position_m, float pitch_rad, float speed_m_s)
 {
     CORE_ASSERT(v3_is_finite(position_m) && f_is_finite(pitch_rad) && speed_m_s > 0.0f);
     bot->goal.position_m = position_m;
@@ -121,7 +121,7 @@ static void bot_rest(struct bot *bot, uint32_t tick)
     bot->yaw_rad = 0.3f;
     const vec3 ground_m = bot_ground_m(bot);
     const float front_m = 0.5f * bot->known.tank_m.z + REST_BEYOND_M;
-    bot_want(bot, v3(ground_m.x, REST_Y_M, front_m), 0.0f, bot->technique.arm_m_s);
+    bot_set_goal(bot, v3(ground_m.x, REST_Y_M, front_m), 0.0f, bot->technique.arm_m_s);
     if (bot_plays(bot)) {
         bot_set_stage(bot, paper_is_fresh(bot) ? BOT_SOAK : BOT_CHOOSE, tick);
     }
@@ -139,8 +139,8 @@ static void bot_soak(struct bot *bot, uint32_t tick)
     const vec3 aside = v3_sub(bot->hand.pose.position_m, over_m);
     const bool is_over = aside.x * aside.x + aside.z * aside.z < BOT_THERE_M * BOT_THERE_M;
     bot->yaw_rad = 0.3f;
-    bot_want(bot, is_over ? place_m : over_m, SOAK_PITCH_RAD,
-             is_over ? bot->technique.dip_m_s : bot->technique.arm_m_s);
+    bot_set_goal(bot, is_over ? place_m : over_m, SOAK_PITCH_RAD,
+                 is_over ? bot->technique.dip_m_s : bot->technique.arm_m_s);
     const bool wet = bot->known.paper.wet >= SOAKED * share;
     if (wet || done_s > SOAK_S_MAX + 1.0f) {
         bot_set_stage(bot, BOT_CHOOSE, tick);
@@ -156,7 +156,7 @@ static float random_choice(const struct bot *bot, uint32_t which)
 static void bot_choose(struct bot *bot, uint32_t tick)
 {
     const vec3 hand_m = bot->hand.pose.position_m;
-    bot_want(bot, v3(hand_m.x, BOT_HOVER_Y_M, hand_m.z), 0.0f, bot->technique.arm_m_s);
+    bot_set_goal(bot, v3(hand_m.x, BOT_HOVER_Y_M, hand_m.z), 0.0f, bot->technique.arm_m_s);
     if (paper_is_fresh(bot) && bot->known.paper.holds && bot_saw_since(bot, 0.0f)) {
         bot_set_stage(bot, BOT_SOAK, tick);
         return;
@@ -203,7 +203,7 @@ static bool keep_over_entry(struct bot *bot, uint32_t tick)
         bot_set_stage(bot, BOT_CHOOSE, tick);
         return false;
     }
-    bot_want(bot, way.entry_m, -bot->technique.entry_deg * F_DEG, technique->arm_m_s);
+    bot_set_goal(bot, way.entry_m, -bot->technique.entry_deg * F_DEG, technique->arm_m_s);
     const struct angles *now = &bot->hand.pose.angles, *goal = &bot->goal.angles;
     return bot_way_left_m(bot) < BOT_THERE_M &&
            f_abs(f_wrap_angle(goal->pitch_rad - now->pitch_rad)) < WRIST_THERE_RAD &&
@@ -233,7 +233,7 @@ static void bot_dip(struct bot *bot, uint32_t tick)
 {
     struct approach_path way;
     (void)bot_way_to_prey(bot, tick, 0.03f / bot->technique.glide_m_s, &way);
-    bot_want(bot, way.stop_m, -bot->technique.entry_deg * F_DEG, bot->technique.dip_m_s);
+    bot_set_goal(bot, way.stop_m, -bot->technique.entry_deg * F_DEG, bot->technique.dip_m_s);
     if (bot_way_left_m(bot) < BOT_THERE_M || bot_stage_s(bot, tick) > DIP_S_MAX) {
         bot_set_stage(bot, BOT_GLIDE, tick);
     }
@@ -271,7 +271,7 @@ static void bot_glide(struct bot *bot, uint32_t tick)
     }
     (void)bot_way_to_prey(bot, tick, 0.1f, &way);
     const float speed_m_s = chases ? bot->technique.arm_m_s : bot->technique.glide_m_s;
-    bot_want(bot, way.under_m, -bot->technique.glide_deg * F_DEG, speed_m_s);
+    bot_set_goal(bot, way.under_m, -bot->technique.glide_deg * F_DEG, speed_m_s);
     if (bot_way_left_m(bot) < BOT_THERE_M) {
         bot_set_stage(bot, BOT_LIFT, tick);
     }
@@ -318,7 +318,7 @@ static bool frees_ring(struct bot *bot, uint32_t tick)
     const vec3 ring_m = bot->known.poi.position_m;
     vec3 back_m = v3_muladd(ring_m, targeting_forward(bot->yaw_rad), -STUCK_BACK_M);
     back_m.y = f_max(ring_m.y - STUCK_BACK_M, 0.02f - bot->known.tank_m.y);
-    bot_want(bot, back_m, 0.0f, bot->technique.lift_m_s);
+    bot_set_goal(bot, back_m, 0.0f, bot->technique.lift_m_s);
     return true;
 }
 
@@ -331,7 +331,7 @@ static void bot_lift(struct bot *bot, uint32_t tick)
     }
     up_m.y = drains ? f_min(LIFTED_Y_M, bot->known.poi.position_m.y + JAM_M) : LIFTED_Y_M;
     const float haste = drains ? 1.0f : HASTY_SHARE;
-    bot_want(bot, up_m, drains ? CRADLE_RAD : 0.0f, haste * bot->technique.lift_m_s);
+    bot_set_goal(bot, up_m, drains ? CRADLE_RAD : 0.0f, haste * bot->technique.lift_m_s);
     bot->ease_s = drains ? bot->ease_s : HASTY_EASE_S;
     if (bot->hand.pose.position_m.y < LIFTED_Y_M - BOT_THERE_M) {
         return;
@@ -361,7 +361,7 @@ static void bot_carry(struct bot *bot, uint32_t tick)
         bot_set_stage(bot, BOT_CHOOSE, tick);
         return;
     }
-    bot_want(bot, over_bowl_m(bot, toward), CRADLE_RAD, bot->technique.carry_m_s);
+    bot_set_goal(bot, over_bowl_m(bot, toward), CRADLE_RAD, bot->technique.carry_m_s);
     if (bot_way_left_m(bot) < 2.0f * BOT_THERE_M) {
         /* The stage BOT_TIP needs no aiming error, so `miss_m` stores the direction in which the
          * poi is tipped. */
@@ -377,7 +377,7 @@ static void bot_tip(struct bot *bot, uint32_t tick)
     const struct basis axes = vec_basis_from_angles(held);
     const vec3 axis = v3_cross(v3(0.0f, 1.0f, 0.0f), toward);
     const struct basis turned = pose_turn(&axes, axis, TIP_RAD);
-    bot_want(bot, over_bowl_m(bot, toward), 0.0f, bot->technique.carry_m_s);
+    bot_set_goal(bot, over_bowl_m(bot, toward), 0.0f, bot->technique.carry_m_s);
     bot->goal.angles = pose_angles(&turned);
     const bool empty = bot->known.carried_count == 0 && bot_saw_since(bot, 0.0f);
     if (bot_stage_s(bot, tick) > (empty ? TIP_HOLD_S : TIP_LAST_S)) {

@@ -171,10 +171,10 @@ void lab_show(const struct lab *lab, const struct lab_book *book, struct scene_l
     out->holds = lab->holds;
     out->held_knot = lab->held_knot;
     out->upright = lab->upright;
-    out->keeping = lab->asked_id == 0               ? LAB_NOT_SAVED
-                   : lab->saved_id >= lab->asked_id ? LAB_SAVED
-                   : lab->edit_refused              ? LAB_UNSAVED
-                                                    : LAB_SAVING;
+    out->keeping = lab->requested_id == 0               ? LAB_NOT_SAVED
+                   : lab->saved_id >= lab->requested_id ? LAB_SAVED
+                   : lab->edit_refused                  ? LAB_UNSAVED
+                                                        : LAB_SAVING;
     out->is_own = (uint8_t)lab_is_own(lab, book);
     out->is_kept = lab->has_edit[lab->species]
                        ? lab_edit_same(&lab->edit, &lab->edits[lab->species])

@@ -27,7 +27,7 @@ void lab_take(struct lab *lab, const struct lab_book *book, uint32_t species)
     lab->progress = 0.0f;
     lab->rest_ticks = 0;
     lab->playing = 1;
-    lab->asked_id = 0;
+    lab->requested_id = 0;
     /* Treat the press as a press on a button, so that the pointer does not drag a knot of the
      * previous graph. */
     lab->holds = HOLD_BUTTON;
@@ -51,7 +51,7 @@ static void save(struct lab *lab, const struct lab_book *book, struct output *ou
     const struct species_card *card = edited_card(lab, book);
     lab->edits[lab->species] = lab->edit;
     lab->has_edit[lab->species] = (uint8_t)!lab_is_own(lab, book);
-    lab->asked_id = ++lab->save_id;
+    lab->requested_id = ++lab->save_id;
     output->edit = (struct graph_edit_record){ .id = lab->save_id,
                                                .is_own = (uint8_t)!lab->has_edit[lab->species],
                                                .key_count = card->key_count,

@@ -90,7 +90,7 @@ struct lab {
      * edit confirmed on disk. */
     uint32_t save_id, saved_id;
     /* Id of the save request for the current edit; 0 means that saving was not requested. */
-    uint32_t asked_id;
+    uint32_t requested_id;
     float x, y;           /* Pointer position on the canvas. */
     float stir_x, stir_y; /* Position of the pointer when it last moved. */
     float progress;

@@ -43,10 +43,10 @@ static bool is_played(const struct game *game)
     return game->phase == PHASE_READY || game->phase == PHASE_ROUND;
 }
 
-bool menu_is_asking(const struct game *game)
+bool menu_is_confirming(const struct game *game)
 {
-    const uint32_t ask_tick = game->menu.ask_tick;
-    return is_played(game) && ask_tick != 0 && game->tick - ask_tick < MENU_ASK_TICKS;
+    const uint32_t confirm_tick = game->menu.confirm_tick;
+    return is_played(game) && confirm_tick != 0 && game->tick - confirm_tick < MENU_CONFIRM_TICKS;
 }
 
 /* Opens the menu. The round ends, and its credit is refunded if it is refundable. The pointers'
@@ -96,8 +96,8 @@ bool menu_opens(struct game *game, struct world *world, const struct core_config
         return false;
     }
     output_sound(output, SOUND_CALL, 0.8f, 0.0f);
-    if (is_played(game) && !menu_is_asking(game)) {
-        game->menu.ask_tick = game->tick;
+    if (is_played(game) && !menu_is_confirming(game)) {
+        game->menu.confirm_tick = game->tick;
         return false;
     }
     open_menu(game, world, config, input, output);

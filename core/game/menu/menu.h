@@ -59,7 +59,7 @@ void menu_tick(struct game *game, struct world *world, struct core_config *confi
 
 /* Returns true while the menu asks for confirmation to end the round. While this function returns
  * true, a second TEST press ends the round. */
-bool menu_is_asking(const struct game *game);
+bool menu_is_confirming(const struct game *game);
 
 /* Returns true while the operator tests the input lines in the menu. During the test the coin slot
  * is open, and a coin counts as a test. */

@@ -111,7 +111,7 @@ void menu_ranking_activate(const struct menu_scope *scope, uint32_t tag)
 
 uint16_t menu_score_enabled(const struct menu *menu)
 {
-    const uint16_t unname = menu->score_asks ? MENU_TAG(SCORE_CONFIRM) : MENU_TAG(SCORE_UNNAME);
+    const uint16_t unname = menu->is_unnaming ? MENU_TAG(SCORE_CONFIRM) : MENU_TAG(SCORE_UNNAME);
     return (uint16_t)(MENU_TAG(SCORE_REPLAY) | (menu->score_is_named ? unname : 0u) |
                       MENU_TAG(SCORE_BACK));
 }
@@ -120,7 +120,7 @@ void menu_score_open(struct menu *menu, const struct game *game, const struct se
 {
     (void)settings;
     menu->score_is_named = selected_score_row(&game->accounts.ranking, menu)->name[0] != 0;
-    menu->score_asks = 0;
+    menu->is_unnaming = 0;
 }
 
 /* Removes the name of a score; the score stays. If the ledger has no room, nothing changes and the
@@ -148,7 +148,7 @@ void menu_score_activate(const struct menu_scope *scope, uint32_t tag)
             (struct controller_command){ .kind = COMMAND_REPLAY, .round_id = row->round_id };
         output->command_count = ++menu->command_count;
     } else if (tag == SCORE_UNNAME) {
-        menu->score_asks = 1;
+        menu->is_unnaming = 1;
     } else {
         unname(scope);
     }

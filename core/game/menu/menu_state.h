@@ -125,7 +125,7 @@ struct self_test {
 /* Largest number of items on a page: twelve in its body and four at its foot. */
 #define MENU_TAG_MAX 16u
 /* Time limit for the second TEST press that ends a round, counted from the first press. */
-#define MENU_ASK_TICKS (5u * CORE_TICK_HZ)
+#define MENU_CONFIRM_TICKS (5u * CORE_TICK_HZ)
 /* Time after a selection during which further selections are ignored. */
 #define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)
 /* Time without activity after which an open menu closes. */
@@ -239,9 +239,9 @@ struct menu {
      * period's number. */
     uint8_t board;
     uint8_t score; /* Selected row of the leaderboard. */
-    /* `score_is_named` is 1 if the selected row has a name. `score_asks` is 1 while the removal of
+    /* `score_is_named` is 1 if the selected row has a name. `is_unnaming` is 1 while the removal of
      * the name waits for confirmation. */
-    uint8_t score_is_named, score_asks;
+    uint8_t score_is_named, is_unnaming;
     uint16_t scores; /* Bit mask of the leaderboard rows that have a score. */
     uint8_t has_hand, hand, presses;
     /* Item under the pointer, counted from 1. 0 means no item. */
@@ -255,7 +255,7 @@ struct menu {
     uint32_t test_coins, coin_tick;
     uint32_t command_count;
     /* Tick of a TEST press during a round; 0 means that no press waits for confirmation. */
-    uint32_t ask_tick;
+    uint32_t confirm_tick;
     uint32_t take_tick; /* Tick at which a menu item was last selected. */
     uint32_t act_tick;  /* Tick of the last activity in the menu, including pointer motion. */
     uint32_t use_tick;  /* Tick of the last activity in the menu other than pointer motion. */

@@ -11,8 +11,8 @@
 uint16_t menu_self_enabled(const struct menu *menu)
 {
     const struct self_test *self = &menu->self;
-    const bool asks = self->sound_answer == SELF_UNANSWERED || self->lamp_answer == SELF_UNANSWERED;
-    return (uint16_t)((asks ? MENU_TAG(SELF_YES) | MENU_TAG(SELF_NO) : 0) | MENU_TAG(SELF_AGAIN) |
+    const bool open = self->sound_answer == SELF_UNANSWERED || self->lamp_answer == SELF_UNANSWERED;
+    return (uint16_t)((open ? MENU_TAG(SELF_YES) | MENU_TAG(SELF_NO) : 0) | MENU_TAG(SELF_AGAIN) |
                       MENU_TAG(SELF_BACK));
 }
 

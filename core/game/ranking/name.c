@@ -29,7 +29,7 @@ void name_note_round(struct name *name, const struct accounts *accounts,
 }
 
 /* Prepares the name entry of the current player: clears the letters and restarts the timeout. */
-static void ask_for_name(struct name *name, uint32_t tick)
+static void begin_name_entry(struct name *name, uint32_t tick)
 {
     CORE_ASSERT(name->slot < POI_MAX);
     name->key = 0;
@@ -60,7 +60,7 @@ static bool begin_next_turn(struct name *name, const struct game *game)
     name->alphabet = game->language == LANGUAGE_JA ? ALPHABET_HIRAGANA : ALPHABET_LATIN;
     name->refusals = 0;
     name->has_hand = 0;
-    ask_for_name(name, game->tick);
+    begin_name_entry(name, game->tick);
     return true;
 }
 
@@ -122,7 +122,7 @@ static bool activate_key(struct name *name, uint32_t tick, struct output *output
         if (stands_refused(name) && name->refusals < NAME_REFUSALS_MAX) {
             name->refusals++;
             output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
-            ask_for_name(name, tick);
+            begin_name_entry(name, tick);
             break;
         }
         return true;

@@ -103,7 +103,7 @@ const char *hid_node_bus(const struct hid_node *node)
 
 /* ---- Opening a source and its descriptor ----------------------------------------------------- */
 
-static enum exit_code ask_node(int file, struct hid_descriptor *descriptor, const char *path)
+static enum exit_code read_raw(int file, struct hid_descriptor *descriptor, const char *path)
 {
     struct hidraw_report_descriptor raw = { .size = 0 };
     if (ioctl(file, HIDIOCGRDESCSIZE, &raw.size) < 0 || ioctl(file, HIDIOCGRDESC, &raw) < 0) {
@@ -179,7 +179,7 @@ enum exit_code hid_source_open(struct hid_source *source, const char *path,
     if (descriptor_path) {
         code = hid_file_read(descriptor, descriptor_path);
     } else if (source->is_node) {
-        code = ask_node(source->file, descriptor, path);
+        code = read_raw(source->file, descriptor, path);
     } else {
         print_error(
             "kingyoctl hid: %s: is not a device node; name its descriptor with --descriptor", path);

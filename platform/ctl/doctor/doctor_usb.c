@@ -285,14 +285,14 @@ static void report_unused(struct doctor *doctor, const struct usb_device *device
                           const struct usb_interface *interface)
 {
     const bool is_hid = interface->class == USB_CLASS_HID;
-    bool is_asked = false;
+    bool is_requested = false;
     for (uint32_t i = 0; is_hid && i < doctor->options.usb_count; i++) {
-        is_asked |= is_named(doctor, i, &device->identity);
+        is_requested |= is_named(doctor, i, &device->identity);
     }
     struct doctor_finding *finding =
-        doctor_usb_add_finding(doctor, device, is_asked ? DOCTOR_LOOK : DOCTOR_FINE);
+        doctor_usb_add_finding(doctor, device, is_requested ? DOCTOR_LOOK : DOCTOR_FINE);
     if (is_hid) {
-        doctor_state(finding, "%s%s", is_asked ? "was requested, but " : "",
+        doctor_state(finding, "%s%s", is_requested ? "was requested, but " : "",
                      interface->subject.kind == USB_KIND_NOTHING
                          ? "sends no data: not a controller"
                          : "has keys: the kiosk never claims a keyboard");

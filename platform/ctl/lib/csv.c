@@ -23,7 +23,7 @@
 
 static enum exit_code refuse_line(const struct csv *csv, const char *what)
 {
-    return print_fail(EXIT_BAD_DATA, "%s: %s: line %u: %s", csv->speaker, csv->path, csv->line,
+    return print_fail(EXIT_BAD_DATA, "%s: %s: line %u: %s", csv->prefix, csv->path, csv->line,
                       what);
 }
 
@@ -35,7 +35,7 @@ enum exit_code csv_error(const struct csv *csv, uint32_t index, const char *form
     va_start(arguments, format);
     vsnprintf(words, sizeof words, format, arguments);
     va_end(arguments);
-    return print_fail(EXIT_BAD_DATA, "%s: %s: line %u, column %u (%s): %s", csv->speaker, csv->path,
+    return print_fail(EXIT_BAD_DATA, "%s: %s: line %u, column %u (%s): %s", csv->prefix, csv->path,
                       csv->line, csv->field_of[index], csv->columns[index].name, words);
 }
 
@@ -48,7 +48,7 @@ static enum exit_code csv_next_line(struct csv *csv, bool *is_end)
         const enum file_line result = file_read_line(csv->file, csv->text, sizeof csv->text);
         *is_end = result == FILE_LINE_END;
         if (*is_end) {
-            return ferror(csv->file) ? ctl_file_error(csv->speaker, csv->path, CSV_SIZE_MAX, errno)
+            return ferror(csv->file) ? ctl_file_error(csv->prefix, csv->path, CSV_SIZE_MAX, errno)
                                      : EXIT_OK;
         }
         if (result == FILE_LINE_BAD) {
@@ -91,7 +91,7 @@ static enum exit_code take_name(struct csv *csv, const char *name, uint32_t numb
         ctl_list_word(list, sizeof list, csv->columns[i].name);
     }
     return print_fail(EXIT_BAD_DATA, "%s: %s: line %u, column %u: '%.*s' is none of %s",
-                      csv->speaker, csv->path, csv->line, number, FIELD_SHOWN, name, list);
+                      csv->prefix, csv->path, csv->line, number, FIELD_SHOWN, name, list);
 }
 
 static enum exit_code read_head(struct csv *csv)
@@ -108,7 +108,7 @@ static enum exit_code read_head(struct csv *csv)
     for (uint32_t i = 0; code == EXIT_OK && i < csv->column_count; i++) {
         if (!csv->field_of[i] && !csv->columns[i].may_miss) {
             return print_fail(EXIT_BAD_DATA, "%s: %s: line %u: the column %s is missing",
-                              csv->speaker, csv->path, csv->line, csv->columns[i].name);
+                              csv->prefix, csv->path, csv->line, csv->columns[i].name);
         }
     }
     return code;
@@ -171,7 +171,7 @@ static enum exit_code read_row(struct csv *csv, double *values, bool *is_end)
     if (surplus) {
         return print_fail(EXIT_BAD_DATA,
                           "%s: %s: line %u, column %u: '%.*s' is beyond the head's %u columns",
-                          csv->speaker, csv->path, csv->line, csv->field_count + 1u, FIELD_SHOWN,
+                          csv->prefix, csv->path, csv->line, csv->field_count + 1u, FIELD_SHOWN,
                           surplus, csv->field_count);
     }
     return EXIT_OK;
@@ -186,7 +186,7 @@ enum exit_code csv_read(struct csv *csv,
     uint32_t row_count = 0;
     bool is_end = false;
     CORE_ASSERT(csv->columns && csv->column_count >= 1 && csv->column_count <= CSV_COLUMN_MAX);
-    enum exit_code code = ctl_file_open(csv->speaker, csv->path, CSV_SIZE_MAX, &csv->file);
+    enum exit_code code = ctl_file_open(csv->prefix, csv->path, CSV_SIZE_MAX, &csv->file);
     if (code != EXIT_OK) {
         return code;
     }

@@ -36,7 +36,7 @@ struct csv_column {
 
 /* A CSV file. The caller of csv_read() sets the first four fields, and all other fields to 0. */
 struct csv {
-    const char *speaker; /* Prefix of error messages, for example "kingyoctl tank: --place". */
+    const char *prefix; /* Prefix of error messages, for example "kingyoctl tank: --place". */
     const char *path;
     const struct csv_column *columns;
     uint32_t column_count; /* Number of columns that the caller defined, at most CSV_COLUMN_MAX. */

@@ -75,31 +75,31 @@ void ctl_list_word(char *list, size_t size, const char *word)
     snprintf(list + used, size - used, "%s%s", used ? ", " : "", word);
 }
 
-enum exit_code ctl_file_error(const char *speaker, const char *path, uint32_t size_max, int error)
+enum exit_code ctl_file_error(const char *prefix, const char *path, uint32_t size_max, int error)
 {
     if (error == EFBIG) {
         const bool in_kib = size_max < 1u << 20;
-        return print_fail(EXIT_BAD_DATA, "%s: %s: is larger than %u %s", speaker, path,
+        return print_fail(EXIT_BAD_DATA, "%s: %s: is larger than %u %s", prefix, path,
                           size_max >> (in_kib ? 10 : 20), in_kib ? "KiB" : "MiB");
     }
-    return print_fail(EXIT_IO, "%s: %s: %s", speaker, path, file_error(error));
+    return print_fail(EXIT_IO, "%s: %s: %s", prefix, path, file_error(error));
 }
 
-enum exit_code ctl_file_open(const char *speaker, const char *path, uint32_t size_max, FILE **out)
+enum exit_code ctl_file_open(const char *prefix, const char *path, uint32_t size_max, FILE **out)
 {
     CORE_ASSERT(size_max > 0);
     *out = file_open(path, size_max);
-    return *out ? EXIT_OK : ctl_file_error(speaker, path, size_max, errno);
+    return *out ? EXIT_OK : ctl_file_error(prefix, path, size_max, errno);
 }
 
-enum exit_code ctl_file_read(const char *speaker, const char *path, void *bytes, uint32_t size_max,
+enum exit_code ctl_file_read(const char *prefix, const char *path, void *bytes, uint32_t size_max,
                              size_t *size)
 {
     FILE *file;
-    enum exit_code code = ctl_file_open(speaker, path, size_max, &file);
+    enum exit_code code = ctl_file_open(prefix, path, size_max, &file);
     if (code == EXIT_OK) {
         *size = fread(bytes, 1, size_max, file);
-        code = ferror(file) ? ctl_file_error(speaker, path, size_max, errno) : EXIT_OK;
+        code = ferror(file) ? ctl_file_error(prefix, path, size_max, errno) : EXIT_OK;
         fclose(file);
     }
     return code;

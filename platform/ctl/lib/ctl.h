@@ -21,7 +21,7 @@ struct ctl_command {
     const char *usage;
     const struct option_table *options; /* Options that --help lists after `usage`. May be null. */
     const char *notes;                  /* Help text after the list of options. May be null. */
-    void (*tell_more)(void);            /* Prints further help at the end. May be null. */
+    void (*print_more_help)(void);      /* Prints further help at the end. May be null. */
     /* True if the command itself handles --help for its subcommands. False if main() handles
      * --help. */
     bool helps_itself;
@@ -58,14 +58,14 @@ enum exit_code ctl_float(const char *command);
 
 /* Opens the regular file `path` for reading. The caller closes the file. Returns EXIT_OK.
  *
- * After an error, sets `*out` to null and prints one line, "SPEAKER: PATH: reason", to standard
+ * After an error, sets `*out` to null and prints one line, "PREFIX: PATH: reason", to standard
  * error. Returns EXIT_BAD_DATA if the file has more than `size_max` bytes. Returns EXIT_IO if the
  * file is missing or is not a regular file. */
-enum exit_code ctl_file_open(const char *speaker, const char *path, uint32_t size_max, FILE **out);
+enum exit_code ctl_file_open(const char *prefix, const char *path, uint32_t size_max, FILE **out);
 
 /* Reads the whole file `path` into `bytes`, and sets `*size` to its size. Opens the file and
  * reports errors as ctl_file_open() does. */
-enum exit_code ctl_file_read(const char *speaker, const char *path, void *bytes, uint32_t size_max,
+enum exit_code ctl_file_read(const char *prefix, const char *path, void *bytes, uint32_t size_max,
                              size_t *size);
 
 /* Appends `word` to the comma-separated `list` in a buffer of `size` bytes. */
@@ -73,4 +73,4 @@ void ctl_list_word(char *list, size_t size, const char *word);
 
 /* Prints the error line for a read that failed with the errno `error`. Returns the exit code that
  * ctl_file_open() returns for this error. */
-enum exit_code ctl_file_error(const char *speaker, const char *path, uint32_t size_max, int error);
+enum exit_code ctl_file_error(const char *prefix, const char *path, uint32_t size_max, int error);

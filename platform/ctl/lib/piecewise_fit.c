@@ -62,7 +62,7 @@ static uint32_t refine(const struct samples *from, struct samples *to,
         }
         const float middle = 0.5f * (at->progress + at[1].progress);
         float *exact = append_fit_sample(to, middle, false, NULL);
-        f->ask(f->self, middle, exact);
+        f->sample(f->self, middle, exact);
         if (f->error(f->self, values, values + from->width, exact) <= tolerance) {
             to->count--;
             to->at[place].settled = true;
@@ -82,8 +82,8 @@ bool piecewise_fit_fit(struct piecewise_fit *track, const struct piecewise_fit_f
     bool good = samples_open(&s, mark_count, function->width);
     for (uint32_t i = 0; good && i < mark_count; i++) {
         CORE_ASSERT(i == 0 || marks[i] > marks[i - 1]);
-        function->ask(function->self, marks[i],
-                      append_fit_sample(&s, marks[i], i + 1 == mark_count, NULL));
+        function->sample(function->self, marks[i],
+                         append_fit_sample(&s, marks[i], i + 1 == mark_count, NULL));
     }
     for (uint32_t pass = 0; good && halved > 0 && pass < PIECEWISE_FIT_HALVINGS; pass++) {
         struct samples finer;

@@ -14,7 +14,7 @@
 
 struct piecewise_fit_function {
     uint32_t width; /* Number of values (components) that the function returns for each progress. */
-    void (*ask)(const void *self, float progress, float *values);
+    void (*sample)(const void *self, float progress, float *values);
     /* Returns the error that occurs if the mean of `from` and `to` replaces `exact`. */
     float (*error)(const void *self, const float *from, const float *to, const float *exact);
     const void *self;

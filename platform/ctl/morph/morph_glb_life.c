@@ -19,7 +19,7 @@
 /* Number of floats for an anchor: three for the position and four for the rotation quaternion. */
 #define ANCHOR_WIDTH 7u
 
-static void ask_size(const void *self, float progress, float *values)
+static void sample_size(const void *self, float progress, float *values)
 {
     const struct morph_glb *fish = self;
     values[0] = values[1] = values[2] = life_length_m(&fish->pick->fish->card, progress);
@@ -37,7 +37,7 @@ struct weight_list {
     const struct target_list *targets;
 };
 
-static void ask_weights(const void *self, float progress, float *values)
+static void sample_weights(const void *self, float progress, float *values)
 {
     const struct weight_list *list = self;
     float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX];
@@ -59,7 +59,7 @@ static float weight_error(const void *self, const float *from, const float *to, 
     return error;
 }
 
-static void ask_anchors(const void *self, float progress, float *values)
+static void sample_anchors(const void *self, float progress, float *values)
 {
     static struct morph_pose pose;
     const struct morph_glb *fish = self;
@@ -193,7 +193,7 @@ static bool animate_anchors(struct morph_glb *fish)
     }
     if (!fit_life_track(fish, &track,
                         (struct piecewise_fit_function){ ANCHOR_WIDTH * fish->mesh->anchor_count,
-                                                         ask_anchors, anchor_error, fish })) {
+                                                         sample_anchors, anchor_error, fish })) {
         return false;
     }
     const uint32_t times = add_times(fish, &track);
@@ -222,7 +222,7 @@ bool morph_glb_animate(struct morph_glb *fish)
     struct piecewise_fit track;
     if (!fit_life_track(
             fish, &track,
-            (struct piecewise_fit_function){ 3, ask_size, relative_size_error, fish })) {
+            (struct piecewise_fit_function){ 3, sample_size, relative_size_error, fish })) {
         return false;
     }
     const uint32_t size_sampler =
@@ -237,8 +237,8 @@ bool morph_glb_animate(struct morph_glb *fish)
         uint32_t *sampler = &samplers[list.targets->curves];
         if (*sampler == 0) {
             if (!fit_life_track(fish, &track,
-                                (struct piecewise_fit_function){ list.targets->count, ask_weights,
-                                                                 weight_error, &list })) {
+                                (struct piecewise_fit_function){
+                                    list.targets->count, sample_weights, weight_error, &list })) {
                 return false;
             }
             const uint32_t times = add_times(fish, &track);

@@ -83,7 +83,7 @@ void morph_options_lengths(const struct species_card *card, float *min, float *m
 /* Rejects a moment before the first key or after the last key, because the author of the species
  * drew no shape there. For example, if the first key is at an age of 22 days, the age of one day is
  * rejected. */
-static enum exit_code check_drawn(const struct species_card *card, enum place place, double asked,
+static enum exit_code check_drawn(const struct species_card *card, enum place place, double given,
                                   const char *command)
 {
     CORE_ASSERT(card->key_count >= 2);
@@ -96,13 +96,13 @@ static enum exit_code check_drawn(const struct species_card *card, enum place pl
         from *= 1e3f;
         to *= 1e3f;
     }
-    if (asked >= (double)from * (1.0 - ROUNDED) && asked <= (double)to * (1.0 + ROUNDED)) {
+    if (given >= (double)from * (1.0 - ROUNDED) && given <= (double)to * (1.0 + ROUNDED)) {
         return EXIT_OK;
     }
     return morph_usage(command,
                        "%s: %.10g is outside the drawn life: %s is drawn from %.6g to "
                        "%.6g %s",
-                       place_names[place], asked, card->id, (double)from, (double)to,
+                       place_names[place], given, card->id, (double)from, (double)to,
                        place == PLACE_AGE_DAYS ? "days" : "mm");
 }
 
@@ -165,10 +165,10 @@ enum exit_code morph_options_read(struct morph_options *pick, const char *comman
 static enum exit_code read_text(const char *path, const char *command, struct species_slot *slot)
 {
     static struct species_text text;
-    char why[VALIDATE_WHY_SIZE], speaker[64];
+    char why[VALIDATE_WHY_SIZE], prefix[64];
     FILE *file;
-    snprintf(speaker, sizeof speaker, "kingyoctl morph %s", command);
-    const enum exit_code opened = ctl_file_open(speaker, path, TEXT_SIZE_MAX, &file);
+    snprintf(prefix, sizeof prefix, "kingyoctl morph %s", command);
+    const enum exit_code opened = ctl_file_open(prefix, path, TEXT_SIZE_MAX, &file);
     if (opened != EXIT_OK) {
         return opened;
     }

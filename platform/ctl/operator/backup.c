@@ -134,7 +134,7 @@ static enum exit_code make_copy(struct swap *swap, const char *from)
     code = code == SQLITE_OK ? ledger_check(file.db) : code;
     if (code != SQLITE_OK) {
         ledger_file_close(&file);
-        if (code != SQLITE_CORRUPT || !books_tell_foreign(command, from, "use another copy")) {
+        if (code != SQLITE_CORRUPT || !books_report_foreign(command, from, "use another copy")) {
             fails(from, code == SQLITE_NOTFOUND ? "is not a copy of a kiosk's database"
                                                 : ledger_file_error(code));
         }

@@ -75,7 +75,7 @@ int books_check_copy(const char *path, struct ledger_start *out)
     return code;
 }
 
-bool books_tell_foreign(const char *command, const char *path, const char *advice)
+bool books_report_foreign(const char *command, const char *path, const char *advice)
 {
     struct ledger_foreign foreign;
     sqlite3 *db = NULL;
@@ -110,7 +110,7 @@ enum exit_code books_open(const char *command, const struct books_words *words,
         return EXIT_OK;
     }
     if (code == SQLITE_CORRUPT &&
-        books_tell_foreign(command, path, "the kiosk replaces the file when it starts")) {
+        books_report_foreign(command, path, "the kiosk replaces the file when it starts")) {
         return EXIT_BAD_DATA;
     }
     print_error("kingyoctl %s: %s: %s", command, path,

@@ -44,7 +44,7 @@ int books_check_copy(const char *path, struct ledger_start *out);
 /* Used if ledger_check() reports a damaged database: searches for a foreign object in the database,
  * for example a table of another program. If there is one, prints one line with the name of the
  * object and then `advice`, and returns true. Otherwise returns false. */
-bool books_tell_foreign(const char *command, const char *path, const char *advice);
+bool books_report_foreign(const char *command, const char *path, const char *advice);
 
 /* Opens the ledger database for reading. A kiosk that is running may have the database open at the
  * same time.

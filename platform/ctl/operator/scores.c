@@ -247,11 +247,11 @@ static enum exit_code print_ranking(const struct scores_request *request, struct
                             .row = &file->content.memory.ranking.row[0][0][0] + i,
                             .period = board % RANK_PERIOD_COUNT,
                             .place = i % RANK_ROWS };
-        const bool is_asked =
+        const bool is_requested =
             (request->mode == MODE_COUNT || request->mode == at.board.mode) &&
             (request->level == LEVEL_COUNT || request->level == at.board.level) &&
             (request->period == RANK_PERIOD_COUNT || request->period == at.period);
-        if (!is_asked || at.row->caught == 0) {
+        if (!is_requested || at.row->caught == 0) {
             continue;
         }
         at.has_replay = ledger_file_has_replay(file, at.row->round_id);

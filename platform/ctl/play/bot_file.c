@@ -309,7 +309,7 @@ int bot_file_parse(const char *text, size_t size, struct technique *out,
     return good ? 0 : -1;
 }
 
-enum exit_code bot_file_read(const char *speaker, const char *bot, struct technique *out)
+enum exit_code bot_file_read(const char *prefix, const char *bot, struct technique *out)
 {
     char text[BOT_FILE_SIZE_MAX];
     struct bot_file_problem problem = { 0 };
@@ -322,17 +322,17 @@ enum exit_code bot_file_read(const char *speaker, const char *bot, struct techni
     if (access(bot, F_OK) != 0 && errno == ENOENT) { /* A file that does not exist is most likely a
                                                         misspelt bot name, so the message lists the
                                                         bot names. */
-        return print_fail(EXIT_IO, "%s: %s: %s; a bot is novice, expert or a FILE", speaker, bot,
+        return print_fail(EXIT_IO, "%s: %s: %s; a bot is novice, expert or a FILE", prefix, bot,
                           strerror(errno));
     }
-    const enum exit_code code = ctl_file_read(speaker, bot, text, sizeof text, &size);
+    const enum exit_code code = ctl_file_read(prefix, bot, text, sizeof text, &size);
     if (code != EXIT_OK || bot_file_parse(text, size, out, &problem) == 0) {
         return code;
     }
     if (problem.line) {
-        print_error("%s: %s:%u: %s", speaker, bot, problem.line, problem.text);
+        print_error("%s: %s:%u: %s", prefix, bot, problem.line, problem.text);
     } else {
-        print_error("%s: %s: %s", speaker, bot, problem.text);
+        print_error("%s: %s: %s", prefix, bot, problem.text);
     }
     return EXIT_BAD_DATA;
 }

@@ -35,7 +35,7 @@ int bot_file_parse(const char *text, size_t size, struct technique *out,
  *
  * Returns EXIT_OK. After an error, leaves `out` unchanged, prints one line, "SPEAKER: PATH:LINE:
  * ...", on standard error, and returns EXIT_IO or EXIT_BAD_DATA. */
-enum exit_code bot_file_read(const char *speaker, const char *bot, struct technique *out);
+enum exit_code bot_file_read(const char *prefix, const char *bot, struct technique *out);
 
 /* Prints a table of all keys on standard output, with the allowed values, the values of the novice
  * and the expert, and the descriptions. */

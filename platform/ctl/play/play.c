@@ -18,7 +18,7 @@
 #include "platform/os/print.h"
 
 static const char name[] = "play";
-static const char speaker[] = "kingyoctl play";
+static const char prefix[] = "kingyoctl play";
 
 struct play_options {
     const char *bot, *record;
@@ -134,14 +134,14 @@ static enum exit_code print_failure(const struct play_options *options)
         if (results[i].code == EXIT_IO) {
             char path[ROUNDS_PATH_MAX];
             rounds_record_path(path, options->record, i);
-            return print_fail(EXIT_IO, "%s: %s: cannot record: %s", speaker, path,
+            return print_fail(EXIT_IO, "%s: %s: cannot record: %s", prefix, path,
                               strerror(results[i].error));
         }
         if (results[i].is_refused) {
             return ctl_float(name);
         }
     }
-    return print_fail(EXIT_NOT_SO, "%s: a round did not end", speaker);
+    return print_fail(EXIT_NOT_SO, "%s: a round did not end", prefix);
 }
 
 static enum exit_code play_rounds(const struct play_options *options,
@@ -238,10 +238,10 @@ static enum exit_code play_command_run(int argc, const char *const *argv)
                              options.fish_count, rules_of(options.mode)->name, fish_max);
         }
     }
-    code = code == EXIT_OK ? bot_file_read(speaker, options.bot, &technique) : code;
+    code = code == EXIT_OK ? bot_file_read(prefix, options.bot, &technique) : code;
     const int error = code == EXIT_OK && options.record ? file_make_folder(options.record) : 0;
     if (error) {
-        return print_fail(EXIT_IO, "%s: %s: cannot record: %s", speaker, options.record,
+        return print_fail(EXIT_IO, "%s: %s: cannot record: %s", prefix, options.record,
                           strerror(-error));
     }
     return code == EXIT_OK ? play_rounds(&options, &technique) : code;
@@ -251,6 +251,6 @@ const struct ctl_command ctl_play = {
     .name = name,
     .summary = "rounds played by a bot, without a screen",
     .options = &table,
-    .tell_more = bot_file_print_keys,
+    .print_more_help = bot_file_print_keys,
     .run = play_command_run,
 };

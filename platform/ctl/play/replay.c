@@ -17,7 +17,7 @@
 #include "platform/os/print.h"
 
 static const char name[] = "replay";
-static const char speaker[] = "kingyoctl replay";
+static const char prefix[] = "kingyoctl replay";
 
 /* Scans a recording like replay_scan(), but without validating the inputs. The recording of a panic
  * (a failed assertion) may end with an input that violates the core's contract. Returns 0, or -1
@@ -79,7 +79,7 @@ static enum exit_code print_replay_info(const char *path, bool as_json)
     static struct replay_reader reader;
     struct replay_totals totals;
     if (scan(&reader, path, &totals)) {
-        return replayer_print_problem(speaker, path, &reader.problem);
+        return replayer_print_problem(prefix, path, &reader.problem);
     }
     (as_json ? info_json : info_text)(&reader.header, &totals);
     return EXIT_OK;
@@ -140,7 +140,7 @@ static enum exit_code print_result(const char *path, const struct replayer *repl
     const struct replay_difference *difference = &replayer->difference;
     const struct replay_totals *totals = &replayer->totals;
     if (replayer->damaged) {
-        return replayer_print_problem(speaker, path, &replayer->reader.problem);
+        return replayer_print_problem(prefix, path, &replayer->reader.problem);
     }
     if (difference->found) {
         print_line(stdout,
@@ -178,7 +178,7 @@ static enum exit_code verify(const char *path)
     struct replay_totals totals;
     const uint64_t begin_ns = ctl_now_ns();
     if (scan(&replayer.reader, path, &totals) || replayer_begin(&replayer, path, &config)) {
-        return replayer_print_problem(speaker, path, &replayer.reader.problem);
+        return replayer_print_problem(prefix, path, &replayer.reader.problem);
     }
     replayer.reader.as_is = 1;
     config.lanes = cpu_lanes();

@@ -60,10 +60,10 @@ static enum exit_code tank_path_take_row(void *self, const struct csv *csv, cons
     return EXIT_OK;
 }
 
-enum exit_code tank_path_read(struct tank_path *path, const char *speaker, const char *file)
+enum exit_code tank_path_read(struct tank_path *path, const char *prefix, const char *file)
 {
     struct csv csv = {
-        .speaker = speaker, .path = file, .columns = path_columns, .column_count = PATH_COLUMNS
+        .prefix = prefix, .path = file, .columns = path_columns, .column_count = PATH_COLUMNS
     };
     path->count = path->newest = 0;
     return csv_read(&csv, tank_path_take_row, path);
@@ -176,10 +176,10 @@ static enum exit_code tank_place_take_row(void *self, const struct csv *csv, con
     return EXIT_OK;
 }
 
-enum exit_code tank_place_read(struct tank_place *place, const char *speaker, const char *file)
+enum exit_code tank_place_read(struct tank_place *place, const char *prefix, const char *file)
 {
     struct csv csv = {
-        .speaker = speaker, .path = file, .columns = columns, .column_count = COLUMN_COUNT
+        .prefix = prefix, .path = file, .columns = columns, .column_count = COLUMN_COUNT
     };
     place->count = place->rows_left_out = 0;
     return csv_read(&csv, tank_place_take_row, place);
@@ -205,7 +205,7 @@ static bool is_in_water(const struct overlap_box *box, vec3 size_m, double emerg
 }
 
 enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tank,
-                                const char *speaker, const char *file)
+                                const char *prefix, const char *file)
 {
     CORE_ASSERT(place->count >= 1 && place->count == tank->fish_count);
     tank_stage_all(tank, place->stage, place->count);
@@ -219,7 +219,7 @@ enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tan
                 EXIT_BAD_DATA,
                 "%s: %s: line %u: fish %u is not completely in the water of %g x %g cm, %g cm "
                 "deep",
-                speaker, file, place->line[i], i, 100.0 * (double)tank->size_m.x,
+                prefix, file, place->line[i], i, 100.0 * (double)tank->size_m.x,
                 100.0 * (double)tank->size_m.z, 100.0 * (double)tank->size_m.y);
         }
         for (uint32_t j = 0; j < i; j++) {
@@ -227,7 +227,7 @@ enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tan
             const double depth_mm = 1000.0 * overlap_depth_m(&box, &other);
             if (depth_mm > OVERLAP_DEEP_MM) {
                 return print_fail(EXIT_BAD_DATA,
-                                  "%s: %s: line %u: fish %u and %u overlap by %.1f mm", speaker,
+                                  "%s: %s: line %u: fish %u and %u overlap by %.1f mm", prefix,
                                   file, place->line[i], j, i, depth_mm);
             }
         }
@@ -235,7 +235,7 @@ enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tan
     if (place->rows_left_out > 0) {
         print_error("%s: %s: the %u fish of the first tick, %.0f, are placed; %u rows of "
                     "other ticks are skipped",
-                    speaker, file, place->count, place->tick, place->rows_left_out);
+                    prefix, file, place->count, place->tick, place->rows_left_out);
     }
     return EXIT_OK;
 }

@@ -24,9 +24,9 @@ struct tank_path {
 };
 
 /* Reads the columns t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg. The times must increase from row
- * to row. Returns EXIT_OK, or prints one line that begins with `speaker` to standard error and
+ * to row. Returns EXIT_OK, or prints one line that begins with `prefix` to standard error and
  * returns another exit code. */
-enum exit_code tank_path_read(struct tank_path *path, const char *speaker, const char *file);
+enum exit_code tank_path_read(struct tank_path *path, const char *prefix, const char *file);
 
 /* Returns the pose at the time `t_s`, which must not decrease from call to call. The pose is
  * interpolated linearly between two rows. The first row applies before its time, and the last row
@@ -48,13 +48,13 @@ struct tank_place {
  * optional. The other columns of the trace are ignored. If the file has a tick column, only the
  * rows of its first tick are used.
  *
- * Returns EXIT_OK, or prints one line that begins with `speaker` to standard error and returns
+ * Returns EXIT_OK, or prints one line that begins with `prefix` to standard error and returns
  * another exit code. */
-enum exit_code tank_place_read(struct tank_place *place, const char *speaker, const char *file);
+enum exit_code tank_place_read(struct tank_place *place, const char *prefix, const char *file);
 
 /* Places the fish in a tank that was opened for the same number of fish, and prints how many rows
  * were skipped. Returns EXIT_OK. If a body overlaps another body or is not completely in the water,
  * prints one line and returns EXIT_BAD_DATA. Only a fish that gulps air may have its snout above
  * the water. */
 enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tank,
-                                const char *speaker, const char *file);
+                                const char *prefix, const char *file);

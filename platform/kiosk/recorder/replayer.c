@@ -120,10 +120,10 @@ void replayer_end(struct replayer *replayer)
     replay_close(&replayer->reader);
 }
 
-enum exit_code replayer_print_problem(const char *speaker, const char *path,
+enum exit_code replayer_print_problem(const char *prefix, const char *path,
                                       const struct replay_problem *problem)
 {
-    return print_fail(problem->is_io ? EXIT_IO : EXIT_BAD_DATA, "%s: %s: byte %llu: %s", speaker,
+    return print_fail(problem->is_io ? EXIT_IO : EXIT_BAD_DATA, "%s: %s: byte %llu: %s", prefix,
                       path, (unsigned long long)problem->offset, problem->text);
 }
 
@@ -134,10 +134,10 @@ void recorder_add_tick(struct replay_writer *writer, struct replay_totals *total
                        const struct core *core)
 {
     recorder_count(totals, tally, core);
-    if (replay_wants_hash(writer)) {
+    if (replay_needs_hash(writer)) {
         totals->hash = core_hash(core);
     }
-    replay_add(writer, input, replay_wants_digest(writer) ? (uint32_t)core_hash_quick(core) : 0,
+    replay_add(writer, input, replay_needs_digest(writer) ? (uint32_t)core_hash_quick(core) : 0,
                totals);
 }
 

@@ -127,5 +127,5 @@ void replayer_end(struct replayer *replayer);
 
 /* Writes one line to standard error: "SPEAKER: PATH: byte N: ...". Returns the exit code for the
  * problem. */
-enum exit_code replayer_print_problem(const char *speaker, const char *path,
+enum exit_code replayer_print_problem(const char *prefix, const char *path,
                                       const struct replay_problem *problem);

@@ -10,7 +10,7 @@
 void score_playback_request(struct score_playback *playback, uint32_t round_id)
 {
     CORE_ASSERT(round_id != 0);
-    if (playback->is_asked) {
+    if (playback->is_requested) {
         /* No new replay can be requested, because the store is still writing the previously
          * requested replay to `bytes`. */
         return;
@@ -64,11 +64,11 @@ static void conclude(struct score_playback *playback, const struct ranking *rank
 static void fetch_score_replay(struct score_playback *playback, const struct hal_storage *storage,
                                const struct ranking *ranking)
 {
-    if (!playback->is_asked) {
+    if (!playback->is_requested) {
         const int result =
             storage->replays.ops->fetch(storage->replays.self, playback->round_id, playback->bytes,
                                         sizeof playback->bytes, &playback->kept);
-        playback->is_asked = result == HAL_OK;
+        playback->is_requested = result == HAL_OK;
         playback->state =
             result == HAL_OK || result == HAL_ERR_BUSY ? PLAYBACK_SEEKS : PLAYBACK_NONE;
         return;
@@ -77,7 +77,7 @@ static void fetch_score_replay(struct score_playback *playback, const struct hal
     if (size == HAL_ERR_BUSY) {
         return;
     }
-    playback->is_asked = false;
+    playback->is_requested = false;
     if (playback->state == PLAYBACK_OFF) {
         /* The playback was ended while the store loaded the replay, so the replay is not opened. */
         return;
@@ -124,7 +124,7 @@ void score_playback_frame(struct score_playback *playback, const struct hal *hal
                           uint32_t tick_count)
 {
     const bool waits = playback->state == PLAYBACK_SEEKS && !playback->is_open;
-    if (waits || playback->is_asked) {
+    if (waits || playback->is_requested) {
         fetch_score_replay(playback, &hal->storage, ranking);
     } else if (playback->state == PLAYBACK_SEEKS) {
         seek(playback, stopwatch, ranking);

@@ -20,9 +20,9 @@
 #define SCORE_PLAYBACK_SEEK_TICKS 240u
 
 struct score_playback {
-    uint8_t state; /* State of the playback (enum scene_playback). */
-    bool is_asked; /* True while the store loads the replay. */
-    bool is_open;  /* True if the verifier has opened the replay. */
+    uint8_t state;     /* State of the playback (enum scene_playback). */
+    bool is_requested; /* True while the store loads the replay. */
+    bool is_open;      /* True if the verifier has opened the replay. */
     /* True if the verifier has parsed the whole replay, so that the scene can be drawn. */
     bool has_play;
     uint32_t round_id;

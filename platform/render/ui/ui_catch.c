@@ -105,7 +105,7 @@ void ui_catch_flights(const struct ui_frame *frame, uint32_t player, struct ui_p
     }
 }
 
-bool ui_tells_near_miss(const struct scene *scene, uint32_t player)
+bool ui_shows_near_miss(const struct scene *scene, uint32_t player)
 {
     const float miss_s = scene->player[player].miss_s;
     CORE_ASSERT(player < POI_MAX);
@@ -118,7 +118,7 @@ void ui_near_misses(const struct ui_frame *frame)
     const char *const words = ui_words(frame, TEXT_CALL_NEAR_MISS);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const float miss_s = frame->scene->player[i].miss_s;
-        if (!ui_tells_near_miss(frame->scene, i)) {
+        if (!ui_shows_near_miss(frame->scene, i)) {
             continue;
         }
         const float u = frame->unit;

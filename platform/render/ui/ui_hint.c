@@ -123,7 +123,7 @@ void ui_poi_hint(const struct ui_frame *frame, uint32_t player)
     const struct scene_poi *const poi = &scene->poi[player];
     CORE_ASSERT(player < POI_MAX);
     if (lesson->hint == HINT_NONE || lesson->hint >= HINT_COUNT || !poi->present ||
-        ui_tells_near_miss(scene, player)) {
+        ui_shows_near_miss(scene, player)) {
         return;
     }
     const float u = frame->unit, in = f_smoothstep(0.0f, FADE_IN_S, lesson->hint_s);

@@ -12,7 +12,7 @@
 #define HINT_FADE_S 0.35f
 /* Time in seconds for which the coin request is emphasized after a player tried to start without
  * credit. */
-#define ASK_S 1.2f
+#define GLOW_S 1.2f
 
 /* The colours equal the colours of the pois (paper scoops) in the tank (poi_paint()). */
 const uint32_t ui_player_colours[POI_MAX] = { 0xf74c75ffu, 0x3385f2ffu, 0x40c25cffu, 0xfabd29ffu };
@@ -104,19 +104,19 @@ void ui_start_ribbon(const struct ui_frame *frame, float y, enum text_key key)
          * shows only the warning and no request for coins. */
         return;
     }
-    /* `asking` is the strength with which the request for coins is emphasized. `asking` is 1 when a
+    /* `glow` is the strength with which the request for coins is emphasized. `glow` is 1 when a
      * player tries to start without credit, and then decreases to 0. */
-    const float asking = credit->unpaid ? 1.0f - f_smoothstep(0.0f, ASK_S, credit->asked_s) : 0.0f;
+    const float glow = credit->unpaid ? 1.0f - f_smoothstep(0.0f, GLOW_S, credit->request_s) : 0.0f;
     const struct ui_box halo = { 0.5f * frame->width - 400.0f * u, y - 64.0f * u, 800.0f * u,
                                  128.0f * u };
     char coins[TEXT_LINE_MAX];
     const uint32_t worth = credit->coin_units > 0 ? credit->coin_units : 1u;
     const uint32_t missing = credit->price > credit->units ? credit->price - credit->units : 0u;
     text_number(coins, sizeof coins, ui_words(frame, TEXT_COIN), (missing + worth - 1u) / worth);
-    ui_glow(frame, halo, ui_fade(0xff7a30b0u, fmaxf(0.25f + 0.55f * pulse, asking)));
+    ui_glow(frame, halo, ui_fade(0xff7a30b0u, fmaxf(0.25f + 0.55f * pulse, glow)));
     const uint32_t ink = ui_fade(0xfff8eaffu, 0.82f + 0.18f * pulse);
     ui_ribbon(frame, (struct ui_ribbon){ FONT_STALL, 0xc8341ff2u, UI_GOLD, ink }, y,
-              (35.0f + 6.0f * asking) * u,
+              (35.0f + 6.0f * glow) * u,
               is_coin ? coins : ui_words(frame, lacks_poi ? TEXT_START_NO_POI : key));
 }
 
@@ -202,8 +202,8 @@ void ui_warnings(const struct ui_frame *frame)
         bool is_shown;
         enum text_key key;
     } warnings[] = {
-        { scene->asks_quit, TEXT_QUIT_ASK },
-        { scene->asks_menu, TEXT_MENU_ASK },
+        { scene->is_confirming_quit, TEXT_QUIT_ASK },
+        { scene->is_confirming_menu, TEXT_MENU_ASK },
         { active & WARN_TILT, TEXT_WARN_TILT },
         { active & WARN_DOOR, TEXT_WARN_DOOR },
         /* During a round, this warning is omitted because the pause sign already shows it in larger

@@ -81,8 +81,8 @@ float ui_catch_pop(const struct ui_frame *frame, uint32_t player);
 void ui_catch_flights(const struct ui_frame *frame, uint32_t player, struct ui_point counter);
 /* Returns true while a word is shown over the poi of `player` because the poi narrowly missed a
  * fish. */
-bool ui_tells_near_miss(const struct scene *scene, uint32_t player);
-/* Draws the word for a near miss over each poi for which ui_tells_near_miss() returns true. */
+bool ui_shows_near_miss(const struct scene *scene, uint32_t player);
+/* Draws the word for a near miss over each poi for which ui_shows_near_miss() returns true. */
 void ui_near_misses(const struct ui_frame *frame);
 
 /* Draws a player's number on a disc of the player's colour, centred at (x, y). */

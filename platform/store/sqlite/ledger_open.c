@@ -35,7 +35,7 @@ static int set_up(struct ledger_file *file, const struct ledger_file_options *ho
 {
     char mode[16] = "", sync[16] = "", text[120];
     const bool is_chosen = how && how->journal;
-    sqlite3_stmt *ask = NULL;
+    sqlite3_stmt *statement = NULL;
     if (sscanf(is_chosen ? how->journal : JOURNAL, "%15s %15s", mode, sync) != 2) {
         return SQLITE_MISUSE;
     }
@@ -46,12 +46,12 @@ static int set_up(struct ledger_file *file, const struct ledger_file_options *ho
         file->is_suspect = file->is_suspect && !is_chosen;
         return code;
     }
-    code = sqlite3_prepare_v2(file->db, "PRAGMA journal_mode", -1, &ask, NULL);
-    if (sql_row(ask, &code)) {
-        const unsigned char *found = sqlite3_column_text(ask, 0);
+    code = sqlite3_prepare_v2(file->db, "PRAGMA journal_mode", -1, &statement, NULL);
+    if (sql_row(statement, &code)) {
+        const unsigned char *found = sqlite3_column_text(statement, 0);
         code = found && strcmp((const char *)found, "wal") == 0 ? SQLITE_OK : SQLITE_IOERR;
     }
-    sqlite3_finalize(ask);
+    sqlite3_finalize(statement);
     code = code == SQLITE_OK ? ledger_log_secure(file) : code;
     /* Another program holds the write lock. The log is made durable later, and `file->is_suspect`
      * stays true until then. */

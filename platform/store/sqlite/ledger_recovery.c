@@ -23,7 +23,7 @@ struct salvage {
     uint32_t first, last; /* Ids of the first and the last entry that the recovery reads. */
     uint32_t newest_id;   /* Newest id that is known to have been assigned to an entry. */
     bool has_from;        /* True if the damaged file has a readable table of entries. */
-    bool knows_last;      /* True if the id `last` is certainly the newest id of the ledger. False
+    bool last_is_newest;  /* True if the id `last` is certainly the newest id of the ledger. False
                              if newer entries may have existed. */
     struct ledger_recovered done;
 };
@@ -58,7 +58,7 @@ static bool has_others_tail(struct salvage *salvage)
     enum ledger_relation kin = LEDGER_RELATION_UNKNOWN;
     if (salvage->has_from) {
         kin = ledger_recovery_relation(
-            &salvage->from, salvage->knows_last ? salvage->last : last_id, salvage->tail, NULL);
+            &salvage->from, salvage->last_is_newest ? salvage->last : last_id, salvage->tail, NULL);
     }
     if (kin == LEDGER_RELATION_UNKNOWN && salvage->to->db) {
         kin = ledger_recovery_relation(salvage->to, last_id, salvage->tail, NULL);
@@ -98,8 +98,8 @@ static void find_range(struct salvage *salvage)
     if (has_max && max > (int64_t)salvage->first + SALVAGE_MAX && reads_well(salvage, max)) {
         salvage->first = (uint32_t)max - SALVAGE_MAX;
     }
-    salvage->knows_last = has_max && max <= (int64_t)salvage->first + SALVAGE_MAX;
-    salvage->last = salvage->knows_last ? (uint32_t)max : salvage->first + SALVAGE_MAX;
+    salvage->last_is_newest = has_max && max <= (int64_t)salvage->first + SALVAGE_MAX;
+    salvage->last = salvage->last_is_newest ? (uint32_t)max : salvage->first + SALVAGE_MAX;
 }
 
 /* Extends the range of ids to the end of the mirror. Each entry is written to the mirror before it
@@ -108,17 +108,17 @@ static void find_range(struct salvage *salvage)
 static void reach_to_tail(struct salvage *salvage)
 {
     const uint32_t last_id = ledger_mirror_last_id(salvage->tail);
-    const bool is_empty = salvage->knows_last && salvage->last < salvage->first;
+    const bool is_empty = salvage->last_is_newest && salvage->last < salvage->first;
     const bool is_newest = last_id > 0 && last_id >= salvage->to->content.memory.ledger.last_id;
-    salvage->done.is_open_ended = !is_newest && (is_empty || !salvage->knows_last);
-    if (salvage->knows_last && last_id > salvage->last) {
+    salvage->done.is_open_ended = !is_newest && (is_empty || !salvage->last_is_newest);
+    if (salvage->last_is_newest && last_id > salvage->last) {
         const uint32_t span = is_empty ? LEDGER_MIRROR_SLOTS : SALVAGE_MAX;
         salvage->last = last_id;
         if (last_id >= span && salvage->first < last_id - span + 1u) {
             salvage->first = last_id - span + 1u;
         }
     }
-    salvage->newest_id = salvage->knows_last ? salvage->last : last_id;
+    salvage->newest_id = salvage->last_is_newest ? salvage->last : last_id;
 }
 
 /* ---- Recovery of entries ------------------------------------------------------------------- */
@@ -151,7 +151,7 @@ int ledger_recover(const char *path, const struct ledger_mirror *tail, struct le
                                .tail = tail,
                                .first = before_id + 1u,
                                .last = before_id,
-                               .knows_last = true };
+                               .last_is_newest = true };
     static const char any[] = "SELECT count(*) FROM sqlite_schema WHERE name = 'entries'"
                               " AND type = 'table' AND sql LIKE 'CREATE TABLE%'";
     int64_t has_entries = 0;

@@ -27,16 +27,16 @@ int sql_run(sqlite3 *db, const char *text)
 
 int sql_number(sqlite3 *db, const char *text, int64_t *out)
 {
-    sqlite3_stmt *ask = NULL;
-    int code = sqlite3_prepare_v2(db, text, -1, &ask, NULL);
+    sqlite3_stmt *statement = NULL;
+    int code = sqlite3_prepare_v2(db, text, -1, &statement, NULL);
     if (code == SQLITE_OK) {
-        code = sqlite3_step(ask);
+        code = sqlite3_step(statement);
         if (code == SQLITE_ROW) {
-            *out = sqlite3_column_int64(ask, 0);
+            *out = sqlite3_column_int64(statement, 0);
         }
         code = code == SQLITE_ROW || code == SQLITE_DONE ? SQLITE_OK : code;
     }
-    sqlite3_finalize(ask);
+    sqlite3_finalize(statement);
     return code;
 }
 

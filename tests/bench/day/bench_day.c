@@ -27,7 +27,7 @@
 #define ROUND_S_MIN 10u
 #define ROUND_S_MAX 600u
 
-static const char speaker[] = "bench_day";
+static const char prefix[] = "bench_day";
 
 static bool read_level(const char *value, uint8_t *out)
 {
@@ -83,13 +83,13 @@ static enum exit_code write_visitors(const struct day *day, const char *folder)
     snprintf(path, sizeof path, "%s/visitors.tsv", folder);
     FILE *file = fopen(path, "w");
     if (!file) {
-        fprintf(stderr, "%s: %s: %s\n", speaker, path, strerror(errno));
+        fprintf(stderr, "%s: %s: %s\n", prefix, path, strerror(errno));
         return EXIT_IO;
     }
     report_write(day, file);
     const bool failed = ferror(file) != 0;
     if (fclose(file) != 0 || failed) {
-        fprintf(stderr, "%s: %s: cannot be written\n", speaker, path);
+        fprintf(stderr, "%s: %s: cannot be written\n", prefix, path);
         return EXIT_IO;
     }
     return EXIT_OK;
@@ -101,17 +101,17 @@ static enum exit_code run(const struct day_options *options, const char *folder,
 {
     cpu_set_float();
     if (!table_open(table, options)) {
-        fprintf(stderr, "%s: the kiosk did not start\n", speaker);
+        fprintf(stderr, "%s: the kiosk did not start\n", prefix);
         return EXIT_NOT_SO;
     }
-    struct progress progress = progress_begin(speaker, options->visitors);
+    struct progress progress = progress_begin(prefix, options->visitors);
     progress.unit = "visitors";
     day_init(day, options, table_stall(table));
     day->progress = &progress;
     const bool is_played = day_run(day);
     const double took_s = progress_end(&progress);
     if (!is_played) {
-        fprintf(stderr, "%s: a round did not begin or did not come to its end\n", speaker);
+        fprintf(stderr, "%s: a round did not begin or did not come to its end\n", prefix);
         return EXIT_NOT_SO;
     }
     printf("%u visitors in %u h, bowls: %u, price: %u, round: %u s, default level: %s, seed: %u; "

@@ -21,7 +21,7 @@
 #define SEEDS_MAX 1000u
 #define SEEDS_ENOUGH 30u
 
-static const char speaker[] = "hints";
+static const char prefix[] = "hints";
 
 struct school {
     struct pupil pupils[PUPILS_MAX];
@@ -58,7 +58,7 @@ static bool play_all(struct school *school)
     }
     double took_s;
     const bool is_played =
-        pool && school->rounds && round_pool_play(speaker, pool, planned, school->level, &took_s);
+        pool && school->rounds && round_pool_play(prefix, pool, planned, school->level, &took_s);
     free(pool);
     return is_played;
 }
@@ -118,7 +118,7 @@ int main(int argc, char **argv)
         return EXIT_USAGE;
     }
     if (wanted == 0) {
-        fprintf(stderr, "%s: no sign '%s'; the signs are", speaker, school.only);
+        fprintf(stderr, "%s: no sign '%s'; the signs are", prefix, school.only);
         for (uint32_t i = 0; i < school.pupil_count; i++) {
             fprintf(stderr, " %s", school.pupils[i].name);
         }

@@ -27,7 +27,7 @@
 #define PLAYERS_MAX 32u
 #define PATH_CHARS 1200u
 
-static const char speaker[] = "players";
+static const char prefix[] = "players";
 
 struct player_options {
     uint32_t seeds, first;
@@ -62,7 +62,7 @@ static bool play_all(struct league_hall *hall, double *took_s)
                                        .result = &hall->rounds[player * options->seeds + seed] };
     }
     const bool is_played =
-        pool && hall->rounds && round_pool_play(speaker, pool, count, options->level, took_s);
+        pool && hall->rounds && round_pool_play(prefix, pool, count, options->level, took_s);
     free(pool);
     return is_played;
 }
@@ -183,7 +183,7 @@ static enum exit_code write_rounds(const struct league_hall *hall)
     snprintf(path, sizeof path, "%s/players.tsv", options->folder);
     FILE *file = fopen(path, "w");
     if (!file) {
-        fprintf(stderr, "%s: %s: %s\n", speaker, path, strerror(errno));
+        fprintf(stderr, "%s: %s: %s\n", prefix, path, strerror(errno));
         return EXIT_IO;
     }
     fputs(
@@ -203,7 +203,7 @@ static enum exit_code write_rounds(const struct league_hall *hall)
     }
     const bool failed = ferror(file) != 0;
     if (fclose(file) != 0 || failed) {
-        fprintf(stderr, "%s: %s: cannot be written\n", speaker, path);
+        fprintf(stderr, "%s: %s: cannot be written\n", prefix, path);
         return EXIT_IO;
     }
     return EXIT_OK;

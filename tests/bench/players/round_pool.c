@@ -53,14 +53,14 @@ bool round_pool_level(const char *name, uint8_t *level)
     return false;
 }
 
-bool round_pool_play(const char *speaker, const struct pool_round *rounds, uint32_t count,
+bool round_pool_play(const char *prefix, const struct pool_round *rounds, uint32_t count,
                      uint8_t level, double *took_s)
 {
     struct round_pool pool = { .rounds = rounds,
                                .count = count,
                                .level = level,
                                .lock = PTHREAD_MUTEX_INITIALIZER,
-                               .progress = progress_begin(speaker, count) };
+                               .progress = progress_begin(prefix, count) };
     pthread_t threads[ROUNDS_WORKERS_MAX];
     uint32_t started = 0;
     while (started + 1u < rounds_workers() &&
@@ -73,7 +73,7 @@ bool round_pool_play(const char *speaker, const struct pool_round *rounds, uint3
     }
     *took_s = progress_end(&pool.progress);
     if (pool.failed) {
-        fprintf(stderr, "%s: a round did not come to its end\n", speaker);
+        fprintf(stderr, "%s: a round did not come to its end\n", prefix);
     }
     return !pool.failed;
 }

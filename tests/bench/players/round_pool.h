@@ -19,9 +19,9 @@ struct pool_round {
 bool round_pool_level(const char *name, uint8_t *level);
 
 /* Plays the `count` rounds of `rounds` at the level `level` (enum level), in the order of the
- * array. `speaker` is the program's name in the output. Writes the duration in seconds to `took_s`.
+ * array. `prefix` is the program's name in the output. Writes the duration in seconds to `took_s`.
  * Returns false, after an error message, if a round did not end. */
-bool round_pool_play(const char *speaker, const struct pool_round *rounds, uint32_t count,
+bool round_pool_play(const char *prefix, const struct pool_round *rounds, uint32_t count,
                      uint8_t level, double *took_s);
 
 #endif

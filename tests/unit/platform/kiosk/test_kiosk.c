@@ -143,7 +143,7 @@ static void test_a_second_press_of_quit_ends_the_loop_after_its_frame(void **sta
     script(events, 2);
     frames(1);
     assert_int_equal(frame_after(FRAME_NS), KIOSK_RUNS);
-    assert_int_equal(rig.display.scene.asks_quit, 1);
+    assert_int_equal(rig.display.scene.is_confirming_quit, 1);
     uint32_t count = 0;
     while (frame_after(FRAME_NS) == KIOSK_RUNS) {
         assert_in_range(++count, 1, 400);
@@ -158,10 +158,10 @@ static void test_one_press_of_quit_never_ends_the_loop(void **state)
     (void)state;
     script(&event, 1);
     frames(2);
-    assert_int_equal(rig.display.scene.asks_quit, 1);
+    assert_int_equal(rig.display.scene.is_confirming_quit, 1);
     frames(1200); /* 1200 frames are 20 s, so the first QUIT has long timed out. */
     assert_int_equal(rig.kiosk.end, KIOSK_RUNS);
-    assert_int_equal(rig.display.scene.asks_quit, 0);
+    assert_int_equal(rig.display.scene.is_confirming_quit, 0);
 }
 
 static void test_the_quit_confirmation_times_out_after_five_seconds(void **state)
@@ -173,11 +173,11 @@ static void test_the_quit_confirmation_times_out_after_five_seconds(void **state
     /* The clock is at 6.1 s, more than five seconds after the first QUIT, so the confirmation is no
      * longer shown. */
     frames(305);
-    assert_int_equal(rig.display.scene.asks_quit, 0);
+    assert_int_equal(rig.display.scene.is_confirming_quit, 0);
     frames(20);
     assert_int_equal(rig.kiosk.end, KIOSK_RUNS);
-    assert_int_equal(rig.display.scene.asks_quit, 1); /* This QUIT counts as a first one, so it
-                                                         shows the confirmation again. */
+    /* This QUIT counts as a first one, so it shows the confirmation again. */
+    assert_int_equal(rig.display.scene.is_confirming_quit, 1);
 }
 
 static void test_any_other_button_cancels_the_quit_confirmation(void **state)
@@ -190,10 +190,10 @@ static void test_any_other_button_cancels_the_quit_confirmation(void **state)
     (void)state;
     script(events, 3);
     frames(8);
-    assert_int_equal(rig.display.scene.asks_quit, 0);
+    assert_int_equal(rig.display.scene.is_confirming_quit, 0);
     frames(10);
     assert_int_equal(rig.kiosk.end, KIOSK_RUNS);
-    assert_int_equal(rig.display.scene.asks_quit, 1);
+    assert_int_equal(rig.display.scene.is_confirming_quit, 1);
 }
 
 static void test_the_full_screen_key_is_passed_to_the_display(void **state)

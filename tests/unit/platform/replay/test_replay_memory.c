@@ -35,7 +35,7 @@ static void write_memory(uint32_t count, size_t size)
     for (uint32_t tick = 0; tick < count; tick++) {
         const struct input input = input_of(tick);
         const struct replay_totals totals = totals_of(tick + 1u);
-        assert_true(replay_wants_digest(&writer) == (tick % CORE_TICK_HZ == CORE_TICK_HZ - 1u));
+        assert_true(replay_needs_digest(&writer) == (tick % CORE_TICK_HZ == CORE_TICK_HZ - 1u));
         replay_add(&writer, &input, tick, &totals);
     }
 }

@@ -23,10 +23,10 @@ static void test_a_start_without_a_credit_is_shown(void **state)
     (void)state;
     static struct scene scene;
     core_scene(&core, &scene);
-    assert_true(scene.credit.asked_s > 1000.0f);
+    assert_true(scene.credit.request_s > 1000.0f);
     press(INPUT_START);
     core_scene(&core, &scene);
-    assert_true(scene.credit.asked_s < 0.1f);
+    assert_true(scene.credit.request_s < 0.1f);
     /* A start that the core rejects plays the sound of a foul. */
     assert_int_equal(sounds[SOUND_FOUL], 1);
     assert_true(scene.credit.unpaid);

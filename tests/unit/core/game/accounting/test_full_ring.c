@@ -81,7 +81,7 @@ static void test_a_ring_that_fills_during_the_mode_selection_permits_a_retry(voi
     press(INPUT_OK);
     dip();
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
-    assert_true(core.game.accounts.credit.asked_tick != 0 ||
+    assert_true(core.game.accounts.credit.request_tick != 0 ||
                 core.game.accounts.credit.await_tick != 0);
     assert_true(sounds[SOUND_FOUL] > fouls || core.game.accounts.credit.await_tick != 0);
     revive_store();

@@ -26,14 +26,14 @@ static void test_test_in_a_round_asks_first_and_one_press_ends_nothing(void **st
     play_into_round();
     press(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_ROUND);
-    assert_true(menu_is_asking(&core.game));
-    steps(MENU_ASK_TICKS);
-    assert_false(menu_is_asking(&core.game));
+    assert_true(menu_is_confirming(&core.game));
+    steps(MENU_CONFIRM_TICKS);
+    assert_false(menu_is_confirming(&core.game));
     /* The first press requested a confirmation, which has timed out. The second press must request
      * a new one. */
     press(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_ROUND);
-    assert_true(menu_is_asking(&core.game));
+    assert_true(menu_is_confirming(&core.game));
 }
 
 static void test_a_second_test_ends_the_round_without_a_result_and_refunds_it(void **state)
@@ -59,7 +59,7 @@ static void test_the_question_does_not_carry_over_to_the_next_round(void **state
     play_into_round();
     press(INPUT_TEST);
     core.game.phase = PHASE_RESULT;
-    assert_false(menu_is_asking(&core.game));
+    assert_false(menu_is_confirming(&core.game));
 }
 
 static void test_the_last_tag_of_the_menu_reopens_the_kiosk(void **state)

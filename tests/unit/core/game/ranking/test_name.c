@@ -45,7 +45,7 @@ static void play_alone(uint32_t caught)
 }
 
 /* Goes from the result screen to the page on which the best player enters a name. */
-static void ask_for_name(void)
+static void begin_name_entry(void)
 {
     steps(GAME_AGAIN_TICKS);
     press(INPUT_START);
@@ -174,7 +174,7 @@ static void test_players_are_asked_once_each_with_the_best_first(void **state)
     (void)state;
     const uint32_t caught[3] = { 2, 7, 0 };
     play(3, caught);
-    ask_for_name();
+    begin_name_entry();
     assert_int_equal(core.game.name.slot, 1);
     press_key(NAME_DONE);
     assert_int_equal(core.game.phase, PHASE_NAME);
@@ -194,7 +194,7 @@ static void test_buttons_enter_a_name_for_every_leaderboard(void **state)
     (void)state;
     play_alone(3);
     const uint32_t round_id = output.entry_id;
-    ask_for_name();
+    begin_name_entry();
     write_letters(u"きんき");
     press_key(NAME_CHANGE);
     write_letters(u"よ");
@@ -214,7 +214,7 @@ static void test_dips_enter_a_name(void **state)
 {
     (void)state;
     play_alone(3);
-    ask_for_name();
+    begin_name_entry();
     dip_at(0, cell_of(u'あ'));
     dip_at(0, NAME_ALPHABET);
     dip_at(0, cell_of(u'ヨ'));
@@ -232,7 +232,7 @@ static void test_a_poi_and_the_buttons_reach_every_cell_and_key(void **state)
 {
     (void)state;
     play_alone(3);
-    ask_for_name();
+    begin_name_entry();
     for (uint8_t alphabet = 0; alphabet < ALPHABET_COUNT; alphabet++) {
         core.game.name.alphabet = alphabet;
         for (uint32_t key = 0; key < NAME_KEY_COUNT; key++) {
@@ -254,7 +254,7 @@ static void test_another_players_poi_enters_nothing(void **state)
     (void)state;
     const uint32_t caught[2] = { 5, 0 };
     play(2, caught);
-    ask_for_name();
+    begin_name_entry();
     dip_at(1, cell_of(u'あ'));
     assert_int_equal(core.game.name.letter_count, 0);
     dip_at(0, cell_of(u'あ'));
@@ -281,7 +281,7 @@ static void test_a_held_button_repeats_and_a_tap_does_not(void **state)
 {
     (void)state;
     play_alone(3);
-    ask_for_name();
+    begin_name_entry();
     lead(0, 0, 0.04f);
     press(INPUT_RIGHT);
     steps(NAME_RUN_TICKS);
@@ -296,7 +296,7 @@ static void test_a_full_name_accepts_no_letter_and_selects_done(void **state)
 {
     (void)state;
     play_alone(3);
-    ask_for_name();
+    begin_name_entry();
     write_letters(u"あいうえおかきく");
     assert_int_equal(core.game.name.key, NAME_DONE);
     write_letters(u"け");
@@ -308,7 +308,7 @@ static void test_erase_and_change_do_nothing_on_an_empty_name(void **state)
 {
     (void)state;
     play_alone(3);
-    ask_for_name();
+    begin_name_entry();
     press_key(NAME_ERASE);
     press_key(NAME_CHANGE);
     assert_int_equal(core.game.name.letter_count, 0);
@@ -338,7 +338,7 @@ static void test_a_rejected_name_can_be_replaced_once(void **state)
 {
     (void)state;
     play_alone(3);
-    ask_for_name();
+    begin_name_entry();
     const uint32_t before = output.entry_id;
     write_letters(u"うんこ");
     press_key(NAME_DONE);
@@ -356,7 +356,7 @@ static void test_an_accepted_second_name_is_stored(void **state)
 {
     (void)state;
     play_alone(3);
-    ask_for_name();
+    begin_name_entry();
     write_letters(u"うんこ");
     press_key(NAME_DONE);
     steps(NAME_SEEN_TICKS);
@@ -369,7 +369,7 @@ static void test_a_timeout_does_not_bypass_the_name_filter(void **state)
 {
     (void)state;
     play_alone(3);
-    ask_for_name();
+    begin_name_entry();
     write_letters(u"うんこ");
     steps(NAME_IDLE_TICKS);
     assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
@@ -382,7 +382,7 @@ static void test_a_timeout_keeps_the_entered_letters(void **state)
 {
     (void)state;
     play_alone(3);
-    ask_for_name();
+    begin_name_entry();
     write_letters(u"さく");
     steps(NAME_IDLE_TICKS - 2u);
     assert_int_equal(core.game.phase, PHASE_NAME);
@@ -397,7 +397,7 @@ static void test_the_name_entry_has_a_total_time_limit(void **state)
 {
     (void)state;
     play_alone(3);
-    ask_for_name();
+    begin_name_entry();
     for (uint32_t i = NAME_SEEN_TICKS; i < NAME_TICKS_MAX; i++) {
         input.pressed = i % 60u == 0 ? INPUT_RIGHT : 0u;
         assert_int_equal(core.game.phase, PHASE_NAME);
@@ -411,7 +411,7 @@ static void test_the_operators_button_keeps_the_entered_letters(void **state)
 {
     (void)state;
     play_alone(3);
-    ask_for_name();
+    begin_name_entry();
     write_letters(u"さくら");
     press(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_MENU);
@@ -472,7 +472,7 @@ static void test_the_leaderboard_shows_the_best_rank_and_highlights_the_round(vo
     /* The round has rank 1 of the day and of the week. The scene must show the longer of these
      * periods. */
     assert_int_equal(scene.player[0].period, RANK_WEEK);
-    ask_for_name();
+    begin_name_entry();
     press_key(NAME_DONE);
     core_scene(&core, &scene);
     assert_true(scene.leaderboard.shown);

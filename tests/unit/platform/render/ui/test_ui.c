@@ -127,7 +127,7 @@ static void test_credits_and_warnings_fit_in_every_phase(void **state)
             .coming = count / 2u,
             .credits = count,
             .coin_s = 0.1f * (float)(k % 7u),
-            .asked_s = 0.1f * (float)(k % 13u),
+            .request_s = 0.1f * (float)(k % 13u),
         };
         lay_out(size);
         check_inside(size);

@@ -44,7 +44,7 @@ static void test_no_hint_requests_a_coin_while_the_slot_is_locked(void **state)
                       6.0f);
             scene.credit.price = 1;
             scene.credit.unpaid = unpaid;
-            scene.credit.asked_s = 1e6f;
+            scene.credit.request_s = 1e6f;
             scene.credit.warnings = why[k / sizeof phases];
             lay_out(sizes[0]);
             letters[unpaid] = glyph_quads();
@@ -65,7 +65,7 @@ static void test_no_hint_requests_a_coin_without_a_poi(void **state)
             set_scene(PHASE_RESULT, LANGUAGE_EN, asks ? HINT_COIN : HINT_NONE, 6.0f);
             scene.credit.price = 1;
             scene.credit.unpaid = 1;
-            scene.credit.asked_s = 1e6f;
+            scene.credit.request_s = 1e6f;
             scene.credit.warnings = (uint8_t)(WARN_NO_POI | with[k]);
             lay_out(sizes[0]);
             scene.tick += CORE_TICK_HZ; /* A new hint fades in within one second. */
@@ -82,7 +82,7 @@ static void test_no_hint_requests_a_dip_or_a_mouse_without_a_poi(void **state)
     for (uint8_t unpaid = 0; unpaid < 2u; unpaid++) {
         set_scene(PHASE_ATTRACT, LANGUAGE_EN, HINT_START, 6.0f);
         scene.credit.unpaid = unpaid;
-        scene.credit.asked_s = 1e6f;
+        scene.credit.request_s = 1e6f;
         scene.credit.warnings = WARN_DOOR;
         lay_out(sizes[0]);
         const uint32_t with = glyph_quads();

@@ -393,7 +393,7 @@ static void test_the_quit_confirmation_is_readable_over_the_tank(void **state)
     scene.seconds_left = 30.0f;
     lay_out(0);
     const uint32_t without = count_kind(UI_GLYPH);
-    scene.asks_menu = scene.asks_quit = 1;
+    scene.is_confirming_menu = scene.is_confirming_quit = 1;
     for (uint32_t size = 0; size < SIZE_COUNT; size++) {
         lay_out(size);
         expect_inside(size);
@@ -420,7 +420,7 @@ static void test_the_quit_confirmation_does_not_overlap_the_practice_plates(void
         scene.phase = PHASE_ROUND;
         scene.phase_s = 20.0f;
         scene.language = (uint8_t)(k / SIZE_COUNT);
-        scene.asks_menu = 1;
+        scene.is_confirming_menu = 1;
         lay_out(size);
         for (uint32_t i = 0; i < batch.quad_count * 4u; i++) {
             const struct ui_vertex *v = &batch.vertices[i];
