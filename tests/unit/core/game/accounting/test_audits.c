@@ -17,9 +17,9 @@ static void test_a_game_is_counted_at_its_weekday_and_hour(void **state)
     (void)state;
     for (uint32_t weekday = 0; weekday < 7u; weekday++) {
         struct audits audits = { 0 };
-        const struct ledger_entry entry = {
-            .kind = LEDGER_BEGIN, .day = (uint16_t)(2u + weekday), .minute = MINUTE
-        };
+        const struct ledger_entry entry = { .kind = LEDGER_BEGIN,
+                                            .day = (uint16_t)(2u + weekday),
+                                            .minute = MINUTE };
         audits_note(&audits, &entry);
         for (uint32_t i = 0; i < 7u; i++) {
             assert_int_equal(audits.count[AUDIT_WEEKDAY + i], i == weekday);
