@@ -15,9 +15,9 @@ check() { # TITLE COMMAND...
     local title=$1
     shift
     count=$((count + 1))
-    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
+    if "$@" >"$work/output" 2>&1; then echo "ok $count - $title"; else
         echo "not ok $count - $title"
-        sed 's/^/# /' "$work/said"
+        sed 's/^/# /' "$work/output"
     fi
 }
 

@@ -34,7 +34,7 @@ static struct bench {
     struct kiosk kiosk;
     uint64_t beat_ns;
     atomic_int stop;
-    uint32_t said;
+    uint32_t sent;
 } bench = { .seconds = 10.0, .report_hz = 500.0, .frame_ms = 16.667, .work_ms = 5.0 };
 
 static uint64_t now_ns(void)
@@ -61,9 +61,9 @@ static void *run_poi(void *context)
     const uint64_t begin_ns = now_ns();
     (void)context;
     while (!atomic_load(&bench.stop)) {
-        bench.said++;
-        clock_sleep_until(begin_ns + (uint64_t)(1e9 * bench.said / bench.report_hz));
-        push_report(bench.said);
+        bench.sent++;
+        clock_sleep_until(begin_ns + (uint64_t)(1e9 * bench.sent / bench.report_hz));
+        push_report(bench.sent);
     }
     return NULL;
 }
@@ -117,7 +117,7 @@ static int print_result(uint32_t lost)
     printf("%.0f reports a second, a frame each %.1f ms of which %.1f are work: %llu of %u used, "
            "%u lost; arrival to tick: median %.1f ms, p99 %.1f ms, max %.1f ms\n",
            bench.report_hz, bench.frame_ms, bench.work_ms, (unsigned long long)wait->count,
-           bench.said, lost, median_ms, p99_ms, (double)wait->max_ns * 1e-6);
+           bench.sent, lost, median_ms, p99_ms, (double)wait->max_ns * 1e-6);
     return lost == 0 && wait->count > 0 && p99_ms < bench.frame_ms + 2.0 ? 0 : 1;
 }
 

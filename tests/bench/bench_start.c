@@ -41,11 +41,11 @@ static int listen_as_manager(char path[108])
 static int wait_for_first_frame(int fd)
 {
     struct pollfd waited = { .fd = fd, .events = POLLIN };
-    char said[256];
+    char message[256];
     while (poll(&waited, 1, PATIENCE_MS) == 1) {
-        const ssize_t size = recv(fd, said, sizeof said - 1, 0);
-        said[size > 0 ? size : 0] = '\0';
-        if (strstr(said, "READY=1")) {
+        const ssize_t size = recv(fd, message, sizeof message - 1, 0);
+        message[size > 0 ? size : 0] = '\0';
+        if (strstr(message, "READY=1")) {
             return 1;
         }
     }

@@ -9,12 +9,12 @@
 refuses() { # CODE TEXT TITLE PROGRAM WORDS...
     local expected=$1 text=$2 title=$3 got
     shift 3
-    timeout 60 "$BUILD/$1" "${@:2}" >"$work/said" 2>"$work/err" </dev/null
+    timeout 60 "$BUILD/$1" "${@:2}" >"$work/output" 2>"$work/err" </dev/null
     got=$?
-    echo "exit $got, expected $expected" >>"$work/said"
-    cat "$work/err" >>"$work/said"
+    echo "exit $got, expected $expected" >>"$work/output"
+    cat "$work/err" >>"$work/output"
     [ $got -eq "$expected" ] && one_line "$work/err" && grep -q -- "$text" "$work/err"
-    ok $? "$title: one line and code $expected" "$work/said"
+    ok $? "$title: one line and code $expected" "$work/output"
 }
 
 refuses 2 nonesuch 'an unknown option' kingyo --nonesuch
@@ -36,15 +36,15 @@ refuses 74 folder 'replay verify of a folder' kingyoctl replay verify "$work"
 
 # A valid recording, then damaged copies of it.
 good=$work/good.kgr
-"$BUILD/kingyo" --demo 5 --seed 7 --shots "$work/shots" --record "$good" >"$work/said" 2>&1 </dev/null
-ok $? 'a demonstration without a screen writes a recording' "$work/said"
-"$BUILD/kingyoctl" replay verify "$good" >"$work/said" 2>&1
-ok $? 'the recording of the demonstration verifies' "$work/said"
-"$BUILD/kingyo" --replay "$good" --window 320x240 --shots "$work/shown" >"$work/said" 2>&1 </dev/null
-ok $? 'a replay without a screen writes pictures' "$work/said"
-grep -q '^No screen: .* The replay is checked, and pictures of it are written\.$' "$work/said" &&
-    ! grep -q 'bot' "$work/said" && grep -q ' each as recorded$' "$work/said" && [ -s "$work/shown/contact-sheet.png" ]
-ok $? 'a replay without a screen reports the missing screen and checks every tick' "$work/said"
+"$BUILD/kingyo" --demo 5 --seed 7 --shots "$work/shots" --record "$good" >"$work/output" 2>&1 </dev/null
+ok $? 'a demonstration without a screen writes a recording' "$work/output"
+"$BUILD/kingyoctl" replay verify "$good" >"$work/output" 2>&1
+ok $? 'the recording of the demonstration verifies' "$work/output"
+"$BUILD/kingyo" --replay "$good" --window 320x240 --shots "$work/shown" >"$work/output" 2>&1 </dev/null
+ok $? 'a replay without a screen writes pictures' "$work/output"
+grep -q '^No screen: .* The replay is checked, and pictures of it are written\.$' "$work/output" &&
+    ! grep -q 'bot' "$work/output" && grep -q ' each as recorded$' "$work/output" && [ -s "$work/shown/contact-sheet.png" ]
+ok $? 'a replay without a screen reports the missing screen and checks every tick' "$work/output"
 size=$(stat -c %s "$good")
 head -c $((size / 2)) "$good" >"$work/short.kgr"
 refuses 65 short.kgr 'a recording cut in half' kingyoctl replay verify "$work/short.kgr"
@@ -57,8 +57,8 @@ refuses 65 noise.kgr 'a file of random bytes' kingyoctl replay verify "$work/noi
 refuses 65 empty.kgr 'an empty file' kingyo --replay "$work/empty.kgr" --demo 5 --shots "$work"
 
 verifies() { # FILE TITLE: Test TITLE: the recording FILE is valid.
-    "$BUILD/kingyoctl" replay verify "$1" >"$work/said" 2>&1
-    ok $? "$2" "$work/said"
+    "$BUILD/kingyoctl" replay verify "$1" >"$work/output" 2>&1
+    ok $? "$2" "$work/output"
 }
 
 ended() { # STATUS TITLE, after end_of_kiosk

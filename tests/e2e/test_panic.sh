@@ -19,14 +19,14 @@ opens() { # OPTIONS...: Returns when the status is written, which is after the f
     done
     return 1
 }
-said_tick() { sed -n 's/.*panic: .*: the game before tick \([0-9]*\) is in .*/\1/p' "$work/err"; }
+panic_tick() { sed -n 's/.*panic: .*: the game before tick \([0-9]*\) is in .*/\1/p' "$work/err"; }
 ends_by() { # SIGNAL STATUS: STATUS is the exit status that the shell reports for the signal.
-    { kill -"$1" "$kiosk_pid" && end_of_kiosk 20; } 2>"$work/said"
+    { kill -"$1" "$kiosk_pid" && end_of_kiosk 20; } 2>"$work/output"
     [ "$code" -eq "$2" ] && [ "$(grep -c "panic: SIG$1: the game before tick" "$work/err")" -eq 1 ]
 }
 is_true() { # FILE: The replay verifies, and its length is the tick that the kiosk reported.
-    "$ctl" replay verify "$1" >"$work/said" && # A signal from another process may arrive within a tick.
-        grep -qE ": true(: $(said_tick) ticks| up to tick $(said_tick), in which a signal ended)" "$work/said"
+    "$ctl" replay verify "$1" >"$work/output" && # A signal from another process may arrive within a tick.
+        grep -qE ": true(: $(panic_tick) ticks| up to tick $(panic_tick), in which a signal ended)" "$work/output"
 }
 # PANICS PARTS: The status reports the numbers. A busy machine reads the count up to 10 s later.
 counted() {
@@ -40,7 +40,7 @@ counted() {
 opens && ends_by SEGV 139
 ok $? 'SIGSEGV ends the kiosk, and one line gives the tick' "$work/err"
 is_true "$data/panic-0.kgr"
-ok $? 'the replay after SIGSEGV ends with that tick and the recorded state' "$work/said"
+ok $? 'the replay after SIGSEGV ends with that tick and the recorded state' "$work/output"
 [ "$(stat -c %a "$data/panic-0.kgr" "$data/panics" | sort -u)" = 600 ]
 ok $? 'only the owner can read the replay and the count'
 
@@ -65,13 +65,13 @@ if command -v gdb >"$work/which"; then
     timeout 120 gdb -q -batch -p "$kiosk_pid" -ex 'handle SIGABRT nostop noprint pass' -ex 'break session_recorder_before' \
         -ex continue -ex 'set var ((struct input *)input)->shade[1].present = 1' \
         -ex 'set var ((struct input *)input)->shade[1].x_m = 0.0 / 0.0' -ex delete -ex detach >"$work/gdb" 2>&1
-    end_of_kiosk 20 2>"$work/said"
-    reason=$(sed -n 's/.*panic: \(core\/.*\): the game before tick .*/\1/p' "$work/err") tick=$(said_tick)
+    end_of_kiosk 20 2>"$work/output"
+    reason=$(sed -n 's/.*panic: \(core\/.*\): the game before tick .*/\1/p' "$work/err") tick=$(panic_tick)
     [ "$code" -eq 134 ] && [ -n "$reason" ]
     ok $? 'a panic of the core gives its condition and the tick' "$work/gdb"
-    "$ctl" replay verify "$data/panic-1.kgr" >"$work/said" 2>&1
-    [ $? -eq 1 ] && grep -qF "panic in tick $tick of $((tick + 1)): $reason" "$work/said"
-    ok $? 'the replay of the panic panics in that tick for the same reason' "$work/said"
+    "$ctl" replay verify "$data/panic-1.kgr" >"$work/output" 2>&1
+    [ $? -eq 1 ] && grep -qF "panic in tick $tick of $((tick + 1)): $reason" "$work/output"
+    ok $? 'the replay of the panic panics in that tick for the same reason' "$work/output"
     opens "${paid[@]}"
     status_has '"phase": "attract"' '"paid": 2' '"round_open": false'
     ok $? 'the next start returns the credit of the round' "$work/run/status.json"
@@ -86,7 +86,7 @@ fi
 opens && counted 2 nothing
 ok $? 'the status counts two panics' "$work/run/status.json"
 ends_by FPE 136 && is_true "$data/panic-2.kgr"
-ok $? 'SIGFPE leaves a valid replay' "$work/said"
+ok $? 'SIGFPE leaves a valid replay' "$work/output"
 
 sqlite3 "$data/kingyo.db" 'select count(*) from entries' >"$work/entries"
 opens && grep -q 'after three panics within ten minutes this start leaves out settings' "$work/err" && counted 3 settings
@@ -102,8 +102,8 @@ kill "$kiosk_pid" && end_of_kiosk 20
 ok $? 'a normal end is not counted as a panic' "$work/err"
 # A page for a PIN ends the recording, so the log must give the tick at which the file ends.
 data=$work/pin
-opens --keyboard on --set pin=1234 && xdotool key F2 && sleep 1.5 && kill -SEGV "$kiosk_pid" && end_of_kiosk 20 2>"$work/said"
-ended=$(said_tick) came=$(sed -n 's/.*panic: SIGSEGV: .*; the panic came in tick \([0-9]*\)$/\1/p' "$work/err")
-"$ctl" replay verify "$data/panic-0.kgr" >"$work/said" && grep -q ": true: $ended ticks" "$work/said" && [ "$came" -gt "$ended" ]
+opens --keyboard on --set pin=1234 && xdotool key F2 && sleep 1.5 && kill -SEGV "$kiosk_pid" && end_of_kiosk 20 2>"$work/output"
+ended=$(panic_tick) came=$(sed -n 's/.*panic: SIGSEGV: .*; the panic came in tick \([0-9]*\)$/\1/p' "$work/err")
+"$ctl" replay verify "$data/panic-0.kgr" >"$work/output" && grep -q ": true: $ended ticks" "$work/output" && [ "$came" -gt "$ended" ]
 ok $? 'the log gives the tick at which a page for a PIN ended the replay' "$work/err"
 done_testing

@@ -33,9 +33,9 @@ check() { # TITLE COMMAND...
     local title=$1
     shift
     count=$((count + 1))
-    if "$@" >"$top/said" 2>&1 </dev/null; then echo "ok $count - $title"; else
+    if "$@" >"$top/output" 2>&1 </dev/null; then echo "ok $count - $title"; else
         echo "not ok $count - $title"
-        sed 's/^/# /' "$top/said"
+        sed 's/^/# /' "$top/output"
         failed=1
     fi
 }

@@ -45,9 +45,9 @@ decode() { # Some devices have a descriptor but no report, which gives exit 1.
 check 'every real descriptor is parsed' gather "$work/fields" $good/fields.tsv "$ctl" hid describe
 check 'every report of a real descriptor is decoded' gather "$work/values" $good/values.tsv decode
 for of in fields values; do
-    agree $good/$of.tsv "$work/$of" "$(ls $good/descriptors | wc -l) real descriptors, $of" >"$work/$of.said"
+    agree $good/$of.tsv "$work/$of" "$(ls $good/descriptors | wc -l) real descriptors, $of" >"$work/$of.output"
     agreed=$?
-    grep '^# ' "$work/$of.said" | tail -20
+    grep '^# ' "$work/$of.output" | tail -20
     check "$of: every row agrees with the recorded row" [ $agreed -eq 0 ]
     check "$of: the rows are in the order of the bits" same_order $good/$of.tsv "$work/$of"
 done

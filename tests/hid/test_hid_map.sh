@@ -4,7 +4,7 @@
 . "$(dirname "$0")/../lib.sh"
 good=tests/hid/good/descriptors
 
-says() { # WANTED COMMAND...: The output begins with WANTED.
+begins_with() { # WANTED COMMAND...: The output begins with WANTED.
     local wanted=$1
     shift
     case $("$ctl" hid map "$@" 2>/dev/null) in "$wanted"*) ;; *) return 1 ;; esac
@@ -15,10 +15,10 @@ exits() { # CODE COMMAND...
     "$ctl" hid map "$@" >/dev/null 2>"$work/error" || got=$?
     [ "$got" = "$code" ] && [ "$(wc -l <"$work/error")" -ge 1 ]
 }
-check 'a SpaceMouse gets a fly mapping' says 'offered fly x=rate:1:s16@0' $good/002-3dconnexion-spacemouse-wireless.hid
-check 'a pad with known ids gets a known mapping' says 'known fly' $good/016-ci-dualsense.hid 054c:0ce6
-check 'a pad without ids gets a mapping from its descriptor' says 'offered fly' $good/016-ci-dualsense.hid
-check 'a pen gets a pointer mapping' says 'offered pointer x=place:7' $good/137-dg-huion-h610-if0.hid
+check 'a SpaceMouse gets a fly mapping' begins_with 'offered fly x=rate:1:s16@0' $good/002-3dconnexion-spacemouse-wireless.hid
+check 'a pad with known ids gets a known mapping' begins_with 'known fly' $good/016-ci-dualsense.hid 054c:0ce6
+check 'a pad without ids gets a mapping from its descriptor' begins_with 'offered fly' $good/016-ci-dualsense.hid
+check 'a pen gets a pointer mapping' begins_with 'offered pointer x=place:7' $good/137-dg-huion-h610-if0.hid
 check 'a keyboard gives exit code 1' exits 1 $good/041-hd-kye-0458-0138-1.hid
 because() { "$ctl" hid map "$2" 2>&1 | grep -q "$1"; }
 check 'a keyboard is rejected with the reason' because 'keys of a keyboard' $good/041-hd-kye-0458-0138-1.hid

@@ -25,8 +25,8 @@ fail() { # TEXT [FILE]: Prints TEXT, the seed and the head of FILE, and ends wit
     exit 1
 }
 
-"$BUILD/monkey" "$seed" "$half" >"$work/said" 2>&1 || fail "the frame loop: exit code $?" "$work/said"
-sed 's/^/  ok    off screen: /' "$work/said"
+"$BUILD/monkey" "$seed" "$half" >"$work/output" 2>&1 || fail "the frame loop: exit code $?" "$work/output"
+sed 's/^/  ok    off screen: /' "$work/output"
 
 open_kiosk() {
     rm -f "$status"
@@ -47,7 +47,7 @@ export RUNTIME_DIRECTORY=$work/run
 open_screen
 open_kiosk
 quits=0 total=0
-"$build/tests/monkey/fingers" "$seed" $((seconds - half)) >"$work/said" 2>&1 &
+"$build/tests/monkey/fingers" "$seed" $((seconds - half)) >"$work/output" 2>&1 &
 fingers_pid=$!
 trap 'kill "$fingers_pid" 2>/dev/null; leave' EXIT
 watch() { # Checks the kiosk once, and starts it again after a normal end.
@@ -69,7 +69,7 @@ watch() { # Checks the kiosk once, and starts it again after a normal end.
 while kill -0 "$fingers_pid" 2>/dev/null; do
     watch
 done
-wait "$fingers_pid" || fail 'the virtual fingers failed' "$work/said"
+wait "$fingers_pid" || fail 'the virtual fingers failed' "$work/output"
 watch # The last Esc may end the kiosk now. SIGTERM must be sent to a kiosk that draws frames.
 until [ "$seen" != none ]; do
     watch
@@ -78,4 +78,4 @@ done
 kill -TERM "$kiosk_pid"
 end_of_kiosk 30
 check_end 'SIGTERM at the end'
-echo "  ok    on a screen: $(cat "$work/said"), $total frames, quit and started again $quits times, SIGTERM ends it"
+echo "  ok    on a screen: $(cat "$work/output"), $total frames, quit and started again $quits times, SIGTERM ends it"

@@ -184,7 +184,7 @@ golden_differs() { # MUTANT_FOLDER: Succeeds if the mutant changes a golden hash
     ! (cd "$tree" && timeout 200 "$1/test" 2>/dev/null) | cmp -s - tests/replay/golden.txt
 }
 
-judge_one() { # ID: Runs the tests on a mutant until one fails or the budget is spent.
+run_mutant() { # ID: Runs the tests on a mutant until one fails or the budget is spent.
     local mutant=$folder/mutant/$1 file line kind near name seconds spent=0 run=0 verdict=survived by=-
     file=$(cat "$mutant/file")
     read -r line kind <"$mutant/place"
@@ -213,7 +213,7 @@ judge_one() { # ID: Runs the tests on a mutant until one fails or the budget is 
         >"$mutant/result"
     printf '  %-9s %s:%s %s%s\n' $verdict "$file" "$line" "$kind" "$([ "$by" = - ] || echo ", by $by")"
 }
-export -f timed place_of base_one compile base_object mutate_one tests_for links golden_differs judge_one
+export -f timed place_of base_one compile base_object mutate_one tests_for links golden_differs run_mutant
 
 report() {
     local mutant
@@ -247,5 +247,5 @@ note_commands "$@"
 for old in "$times"/*; do [ -s "$folder/link/${old##*/}" ] || rm -f "$old"; done
 echo "$tests" | nice xargs -P "$jobs" -I{} bash -c 'base_one {}'
 make_mutants "$@"
-seq 0 $((count - 1)) | nice xargs -P "$jobs" -I{} bash -c 'judge_one {}'
+seq 0 $((count - 1)) | nice xargs -P "$jobs" -I{} bash -c 'run_mutant {}'
 report

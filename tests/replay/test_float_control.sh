@@ -33,7 +33,7 @@ with_mode tank >"$work/mode"
 check 'kingyoctl tank prints a hash' test -s "$work/clean"
 check 'kingyoctl tank gives the same hash with flush-to-zero enabled' cmp "$work/clean" "$work/mode"
 
-"$ctl" play --bot expert --seed 5 --round-s 10 --record "$work/rec" >"$work/said"
+"$ctl" play --bot expert --seed 5 --round-s 10 --record "$work/rec" >"$work/output"
 round=$work/rec/round-00001.kgr
 check 'a recording verifies with flush-to-zero enabled' with_mode "$ctl" replay verify "$round"
 refused() {

@@ -184,7 +184,7 @@ static void stir(struct input *input)
 }
 
 /* Returns the input that the core gets in this tick, including the faults of the controllers. */
-static struct input said(const struct input *input)
+static struct input core_input(const struct input *input)
 {
     struct input out = *input;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -296,7 +296,7 @@ static uint64_t play(const struct core_config *config, uint32_t ticks)
     assert_int_equal(core_init(&core, &begin), CORE_OK);
     for (uint32_t tick = 0; tick < ticks; tick++) {
         stir(&input);
-        const struct input now = said(&input);
+        const struct input now = core_input(&input);
         core_tick(&core, &now, &output);
         output.sound_count = 0;
         for (uint32_t i = 0; i < core.world.tank.fish_count; i++) {

@@ -12,7 +12,7 @@
 #include "drivers/null.h"
 
 struct panel {
-    struct button_sample says;
+    struct button_sample sample;
     int result;
     const char *line;
     uint32_t asked;
@@ -22,7 +22,7 @@ static int panel_poll(void *self, struct button_sample *out)
 {
     struct panel *panel = self;
     panel->asked++;
-    *out = panel->says;
+    *out = panel->sample;
     return panel->result;
 }
 
@@ -50,14 +50,14 @@ static void test_input_of_any_panel_is_reported(void **state)
     struct buttons_mux join = { 0 };
     struct button_sample sum;
     struct panel keys = {
-        .says = { .held = INPUT_START, .pressed = INPUT_START, .quit = 1, .coin_count[0] = 1 },
+        .sample = { .held = INPUT_START, .pressed = INPUT_START, .quit = 1, .coin_count[0] = 1 },
     };
     struct panel lines = {
-        .says = { .held = INPUT_LEFT,
-                  .pressed = INPUT_OK,
-                  .coin_count[0] = 2,
-                  .faults = 3,
-                  .full_screen = 1 },
+        .sample = { .held = INPUT_LEFT,
+                    .pressed = INPUT_OK,
+                    .coin_count[0] = 2,
+                    .faults = 3,
+                    .full_screen = 1 },
     };
     buttons_mux_add(&join, device_of(&keys));
     buttons_mux_add(&join, device_of(&lines));
@@ -77,14 +77,14 @@ static void test_a_button_is_held_while_any_panel_holds_it(void **state)
     (void)state;
     struct buttons_mux join = { 0 };
     struct button_sample sum;
-    struct panel left = { .says.held = INPUT_OK };
-    struct panel right = { .says.held = INPUT_OK };
+    struct panel left = { .sample.held = INPUT_OK };
+    struct panel right = { .sample.held = INPUT_OK };
     buttons_mux_add(&join, device_of(&left));
     buttons_mux_add(&join, device_of(&right));
-    left.says.held = 0;
+    left.sample.held = 0;
     poll_join(&join, &sum);
     assert_int_equal(sum.held, INPUT_OK);
-    right.says.held = 0;
+    right.sample.held = 0;
     poll_join(&join, &sum);
     assert_int_equal(sum.held, 0);
 }
@@ -94,7 +94,7 @@ static void test_an_absent_panel_is_no_fault(void **state)
     (void)state;
     struct buttons_mux join = { 0 };
     struct button_sample sum;
-    struct panel keys = { .says.pressed = INPUT_TEST, .line = "keys" };
+    struct panel keys = { .sample.pressed = INPUT_TEST, .line = "keys" };
     assert_int_equal(poll_join(&join, &sum), HAL_ERR_ABSENT);
     buttons_mux_add(&join, null_hal("no lines").buttons);
     assert_int_equal(poll_join(&join, &sum), HAL_ERR_ABSENT);
@@ -110,8 +110,8 @@ static void test_a_failed_panel_does_not_affect_the_others(void **state)
     (void)state;
     struct buttons_mux join = { 0 };
     struct button_sample sum;
-    struct panel broken = { .result = HAL_ERR_IO, .says.faults = 1 };
-    struct panel keys = { .says.pressed = INPUT_TEST };
+    struct panel broken = { .result = HAL_ERR_IO, .sample.faults = 1 };
+    struct panel keys = { .sample.pressed = INPUT_TEST };
     buttons_mux_add(&join, device_of(&broken));
     buttons_mux_add(&join, device_of(&keys));
     assert_int_equal(poll_join(&join, &sum), HAL_OK);
@@ -151,7 +151,7 @@ static void test_a_panel_beyond_the_maximum_is_rejected_and_never_polled(void **
     (void)state;
     struct buttons_mux join = { 0 };
     struct button_sample sum;
-    struct panel panel = { .says.coin_count[0] = 1 };
+    struct panel panel = { .sample.coin_count[0] = 1 };
     for (uint32_t i = 0; i < BUTTONS_MUX_MAX; i++) {
         assert_int_equal(buttons_mux_add(&join, device_of(&panel)), 0);
     }

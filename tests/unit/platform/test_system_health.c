@@ -67,13 +67,13 @@ static struct system_health machine_here(void)
 
 static struct scene_machine look(struct system_health *machine)
 {
-    struct scene_machine says = { .watch = WATCH_DEAF, .missed = 3 };
-    system_health_sample(machine, &says);
-    assert_int_equal(says.is_checked, 1);
+    struct scene_machine status = { .watch = WATCH_DEAF, .missed = 3 };
+    system_health_sample(machine, &status);
+    assert_int_equal(status.is_checked, 1);
     /* `watch` and `missed` belong to the frame loop, so a sample must not change them. */
-    assert_int_equal(says.watch, WATCH_DEAF);
-    assert_int_equal(says.missed, 3);
-    return says;
+    assert_int_equal(status.watch, WATCH_DEAF);
+    assert_int_equal(status.missed, 3);
+    return status;
 }
 
 static void test_the_board_check_reports_whether_data_persist(void **state)
@@ -194,13 +194,13 @@ static void test_a_quarantined_file_is_counted_until_acknowledged(void **state)
 
 static int is_reported(struct system_health *machine, uint32_t aside)
 {
-    struct scene_machine says = { .watch = WATCH_FED };
+    struct scene_machine status = { .watch = WATCH_FED };
     /* The interval of the checks is longer than the 5 s of this loop. The test therefore passes
      * only if the thread checks at once. */
     for (uint32_t i = 0; i < 500u; i++) {
-        system_health_read(machine, &says);
-        if (says.is_checked && says.quarantined == aside) {
-            return says.watch == WATCH_FED;
+        system_health_read(machine, &status);
+        if (status.is_checked && status.quarantined == aside) {
+            return status.watch == WATCH_FED;
         }
         usleep(10000);
     }
@@ -210,13 +210,13 @@ static int is_reported(struct system_health *machine, uint32_t aside)
 static void test_the_health_thread_does_all_file_access_of_the_frame_loop(void **state)
 {
     static struct system_health machine;
-    struct scene_machine says = { 0 };
+    struct scene_machine status = { 0 };
     (void)state;
     write_file("kingyo.db.damaged-1", "x");
     machine = machine_here();
-    system_health_read(&machine, &says); /* The thread has not been started, so nothing has been
+    system_health_read(&machine, &status); /* The thread has not been started, so nothing has been
                                             checked yet. */
-    assert_int_equal(says.is_checked, 0);
+    assert_int_equal(status.is_checked, 0);
     system_health_start(&machine);
     assert_true(is_reported(&machine, 1));
     system_health_acknowledge(&machine);
@@ -224,9 +224,9 @@ static void test_the_health_thread_does_all_file_access_of_the_frame_loop(void *
     /* The test holds the lock, as the thread does from time to time. system_health_read() must
      * return at once and leave the values unchanged. */
     pthread_mutex_lock(&machine.lock);
-    says = (struct scene_machine){ .room_mib = 77 };
-    system_health_read(&machine, &says);
-    assert_int_equal(says.room_mib, 77);
+    status = (struct scene_machine){ .room_mib = 77 };
+    system_health_read(&machine, &status);
+    assert_int_equal(status.room_mib, 77);
     system_health_acknowledge(&machine); /* system_health_acknowledge() must not block while the
                                             lock is held. */
     pthread_mutex_unlock(&machine.lock);

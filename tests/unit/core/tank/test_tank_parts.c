@@ -106,13 +106,13 @@ static float worst_violation_m(const struct broad_phase *broad_phase)
     float worst_m = 0.0f;
     for (uint32_t c = 0; c < broad_phase->near_count; c++) {
         const struct contact *contact = &broad_phase->contact[c];
-        const float told_m =
+        const float reported_m =
             contact->gap_m - (broad_phase->way_m[contact->a] + broad_phase->way_m[contact->b]);
-        if (told_m > 0.0f && swims(&tank, contact->a) && swims(&tank, contact->b)) {
+        if (reported_m > 0.0f && swims(&tank, contact->a) && swims(&tank, contact->b)) {
             const struct box a = fish_box(&tank.fish[contact->a]),
                              b = fish_box(&tank.fish[contact->b]);
-            if (box_gap(&a, 0.0f, &b, 0.0f).body_m < told_m) {
-                worst_m = f_max(worst_m, told_m - apart_m(&a, &b));
+            if (box_gap(&a, 0.0f, &b, 0.0f).body_m < reported_m) {
+                worst_m = f_max(worst_m, reported_m - apart_m(&a, &b));
             }
         }
     }

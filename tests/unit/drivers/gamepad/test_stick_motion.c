@@ -27,10 +27,10 @@ static void begin(void)
 
 static void push(vec3 way, vec3 twist, uint32_t buttons)
 {
-    const struct stick_report said = {
+    const struct stick_report report = {
         .time_ns = now_ms * MS, .push = way, .twist = twist, .buttons = buttons
     };
-    stick_motion_report(&fly, &said);
+    stick_motion_report(&fly, &report);
 }
 
 static struct poi_target after(uint64_t ms)

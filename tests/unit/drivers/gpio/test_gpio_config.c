@@ -84,7 +84,7 @@ static void test_an_invalid_wire_gives_a_message_and_changes_nothing(void **stat
 {
     (void)state;
     static const struct {
-        const char *text, *said;
+        const char *text, *reason;
     } wrong[] = {
         { "", "ROLE=LINE" },
         { "start", "ROLE=LINE" },
@@ -113,7 +113,7 @@ static void test_an_invalid_wire_gives_a_message_and_changes_nothing(void **stat
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         memset(why, 0, sizeof why);
         assert_false(gpio_wire_read(wrong[i].text, wires, why));
-        if (!strstr(why, wrong[i].said)) {
+        if (!strstr(why, wrong[i].reason)) {
             fail_msg("'%s' gave '%s'", wrong[i].text, why);
         }
         assert_memory_equal(wires, before, sizeof before);

@@ -260,12 +260,12 @@ static void test_a_device_with_a_stored_mapping_stays_active(void **state)
     assert_int_equal(device_list.release_count, 0);
 }
 
-static atomic_uint told_count;
+static atomic_uint call_count;
 
 static void count_line(void *self, const char *line)
 {
     assert_non_null(strstr(line, self));
-    told_count++;
+    call_count++;
 }
 
 /* Runs frames until the store's thread has written the mapping. Returns the last status. */
@@ -290,12 +290,12 @@ static void test_an_unwritable_mapping_is_reported_and_stays_in_use(void **state
     hid_mapping_store_close(&store);
     hid_mapping_store_open(&store, data, NULL, NULL);
     hid_mapping_store_set_error_sink(&store, count_line, line);
-    told_count = 0;
+    call_count = 0;
     frame();
     teach();
     assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_OK);
     assert_int_equal(written().learn_step, LEARN_NOT_SAVED);
-    assert_int_equal(told_count, 1);
+    assert_int_equal(call_count, 1);
     assert_true(slot[0].plays);
     /* The operator removes the regular file, so that the folder can be created. */
     assert_int_equal(unlink(pois), 0);

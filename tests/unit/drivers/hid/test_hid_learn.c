@@ -21,7 +21,7 @@ struct demo_device {
     int report_id;  /* Id of the report that contains the fields x, z and dip. */
     uint8_t manner; /* Kind of binding (enum hid_binding) that the learning must find for the
                        axes. */
-    uint8_t says_in_range;
+    uint8_t reports_in_range;
     /* 1 if the device is held rotated by 180 degrees, so that its left is the user's right. */
     int8_t turned;
 };
@@ -75,7 +75,7 @@ static void send_motion(const struct demo_device *demo_device, float x, float z,
     put_axis(demo_device, demo_device->x, steps ? 0.5f + 0.12f * (x - 0.5f) : x);
     put_axis(demo_device, demo_device->z, steps ? 0.5f + 0.12f * (z - 0.5f) : z);
     wire_put(&wire, demo_device->report_id, demo_device->dip, dips);
-    if (demo_device->says_in_range) {
+    if (demo_device->reports_in_range) {
         wire_put(&wire, demo_device->report_id, USAGE_IN_RANGE, 1);
     }
     send((uint8_t)demo_device->report_id);

@@ -147,7 +147,7 @@ static void test_every_real_device_has_a_valid_mapping_or_none(void **state)
     assert_true(playable >= 48);
 }
 
-static void says_itself(const char *name, const struct hid_mapping *map)
+static void expect_round_trip(const char *name, const struct hid_mapping *map)
 {
     char text[HID_MAPPING_TEXT_SIZE], why[HAL_TEXT_SIZE] = "";
     struct hid_mapping back;
@@ -177,7 +177,7 @@ static void says_itself(const char *name, const struct hid_mapping *map)
 static void test_a_mapping_is_unchanged_by_writing_and_reading(void **state)
 {
     (void)state;
-    each_device(says_itself);
+    each_device(expect_round_trip);
 }
 
 static void test_a_kingyo_poi_of_any_vendor_is_recognized_by_its_descriptor(void **state)

@@ -21,7 +21,7 @@ static struct clock_sim clock_now;
 static struct hid_wire wire;
 static struct hid_mapping_store store;
 static char data[64];
-static char complaint[2048];
+static char error_line[2048];
 
 static int make_folder(void **state)
 {
@@ -38,16 +38,16 @@ static int remove_folder(void **state)
     return system(command);
 }
 
-static void complain(void *self, const char *line)
+static void log_error(void *self, const char *line)
 {
     (void)self;
-    snprintf(complaint, sizeof complaint, "%s", line);
+    snprintf(error_line, sizeof error_line, "%s", line);
 }
 
 static uint32_t open_book(void)
 {
-    complaint[0] = '\0';
-    return hid_mapping_store_open(&store, data, complain, NULL);
+    error_line[0] = '\0';
+    return hid_mapping_store_open(&store, data, log_error, NULL);
 }
 
 static struct hid_identity identity(uint16_t vendor, uint16_t product, const char *serial)
@@ -192,8 +192,8 @@ static void test_an_invalid_file_gives_one_message_and_the_others_are_read(void 
     for (uint32_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         write_file("bad.poi", bad[i][0]);
         assert_int_equal(open_book(), 1);
-        if (!strstr(complaint, bad[i][1]) || !strstr(complaint, "/pois/bad.poi:")) {
-            fail_msg("'%s' is complained of as '%s'", bad[i][0], complaint);
+        if (!strstr(error_line, bad[i][1]) || !strstr(error_line, "/pois/bad.poi:")) {
+            fail_msg("'%s' is complained of as '%s'", bad[i][0], error_line);
         }
         assert_non_null(hid_mapping_store_find(&store, &who));
         hid_mapping_store_close(&store);
@@ -230,7 +230,7 @@ static void test_mappings_stay_in_memory_if_the_card_is_read_only(void **state)
     FILE *file = fopen(path, "w");
     fclose(file);
     open_book();
-    hid_mapping_store_set_error_sink(&store, complain, NULL);
+    hid_mapping_store_set_error_sink(&store, log_error, NULL);
     assert_int_equal(keep(&who, &map), HAL_OK);
     assert_non_null(hid_mapping_store_find(&store, &who));
     while (hid_mapping_store_result(&store) == HAL_ERR_BUSY) {
@@ -239,7 +239,7 @@ static void test_mappings_stay_in_memory_if_the_card_is_read_only(void **state)
     assert_int_equal(hid_mapping_store_result(&store), HAL_ERR_IO);
     hid_mapping_store_close(&store);
     assert_int_equal(store.failed_count, 1);
-    assert_non_null(strstr(complaint, "/pois/0001-0002-A.poi: Not a directory; the change"));
+    assert_non_null(strstr(error_line, "/pois/0001-0002-A.poi: Not a directory; the change"));
 }
 
 /* A power cut during a write leaves only the temporary file, which must not be read. */

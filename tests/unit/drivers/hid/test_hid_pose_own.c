@@ -39,12 +39,12 @@ static void test_a_kingyo_poi_has_the_pose_and_time_of_its_report(void **state)
 {
     (void)state;
     connect_own_poi();
-    const struct poi_report said = {
+    const struct poi_report report = {
         .target = { .position_m = { -0.25f, -0.04f, 0.125f },
                     .angles = { .yaw_rad = 0.5f, .pitch_rad = -0.25f, .roll_rad = 1.0f } },
         .sequence = 9,
     };
-    assert_true(send_own(said, 0));
+    assert_true(send_own(report, 0));
     const uint64_t report_ns = now_ms * MS;
     /* The sample is taken later than its report, but its time is that of the report. */
     const struct poi_sample sample = sample_after(70);

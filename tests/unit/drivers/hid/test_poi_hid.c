@@ -42,11 +42,11 @@ static void send_next(void)
 {
     uint8_t bytes[POI_REPORT_SIZE];
     const float angle = 0.01f * (float)fixture.report_count;
-    const struct poi_report said = {
+    const struct poi_report report = {
         .target.position_m = { 0.1f * f_sin(angle), 0.06f, 0.1f * f_cos(angle) },
         .sequence = (uint8_t)fixture.report_count++,
     };
-    poi_report_encode(&said, bytes);
+    poi_report_encode(&report, bytes);
     fixture.clock.now_ns += REPORT_NS;
     hid_port_sim_report(&fixture.wire.port, bytes, sizeof bytes);
 }

@@ -342,7 +342,7 @@ static void test_no_coins_option_overrides_the_saved_price(void **state)
 static void test_each_later_configuration_source_overrides_the_earlier_one(void **state)
 {
     static const char *const none[] = { "kingyo" };
-    static const char *const said[] = { "kingyo", "--set", "language=ja" };
+    static const char *const given[] = { "kingyo", "--set", "language=ja" };
     (void)state;
     assert_int_equal(parse(COUNT(none), none), 0);
     options.machine.is_set[SET_LANGUAGE] = 1;
@@ -355,7 +355,7 @@ static void test_each_later_configuration_source_overrides_the_earlier_one(void 
     assert_int_equal(settings.value[SET_LANGUAGE], LANGUAGE_JA);
     settle(SET_LANGUAGE, LANGUAGE_EN);
     assert_int_equal(settings.value[SET_LANGUAGE], LANGUAGE_EN);
-    assert_int_equal(parse(COUNT(said), said), 0);
+    assert_int_equal(parse(COUNT(given), given), 0);
     settle(SET_LANGUAGE, LANGUAGE_EN);
     assert_int_equal(settings.value[SET_LANGUAGE], LANGUAGE_JA);
 }

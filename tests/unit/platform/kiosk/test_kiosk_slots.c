@@ -23,9 +23,9 @@ static struct {
     struct buttons_sim buttons;
     struct hal hal;
     struct kiosk kiosk;
-    uint32_t asked_moving, asked_still; /* Number of calls of arrange() with `may_move` true
-                                           (asked_moving) and with `may_move` false
-                                           (asked_still). */
+    uint32_t moving_calls, still_calls; /* Number of calls of arrange() with `may_move` true
+                                           (moving_calls) and with `may_move` false
+                                           (still_calls). */
     /* Result of the next call of arrange(): bit 0 is set if the controller of slot 0 changed. */
     uint32_t moves;
     uint8_t other_sits;
@@ -34,14 +34,14 @@ static struct {
     bool scoops;      /* Value of the parameter `scoops` in the last call of set_view(). */
     uint64_t late_ns; /* Age of a report when the kiosk polls the controller, in ns. */
     uint8_t stamps;
-    uint32_t told; /* Number of reports that each poll of the controller returns. */
+    uint32_t report_count; /* Number of reports that each poll of the controller returns. */
 } rig;
 
 static uint32_t arrange(void *self, bool may_move)
 {
     (void)self;
-    rig.asked_moving += may_move != 0;
-    rig.asked_still += may_move == 0;
+    rig.moving_calls += may_move != 0;
+    rig.still_calls += may_move == 0;
     const uint32_t moves = rig.moves;
     rig.moves = 0;
     return moves;
@@ -57,18 +57,18 @@ static int controller_open(void *self)
 static int controller_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     (void)self;
-    assert_true(max >= rig.told);
+    assert_true(max >= rig.report_count);
     if (rig.is_gone) {
         return HAL_ERR_GONE;
     }
-    for (uint32_t i = 0; i < rig.told; i++) {
+    for (uint32_t i = 0; i < rig.report_count; i++) {
         out[i] = (struct poi_sample){
             .time_ns = rig.clock.now_ns - rig.late_ns + i,
             .was_stamped = rig.stamps,
             .target.position_m = v3(rig.other_sits ? 0.2f : -0.2f, 0.05f, 0.0f),
         };
     }
-    return (int)rig.told;
+    return (int)rig.report_count;
 }
 
 static int hand_feel(void *self, const struct poi_force *force)
@@ -109,7 +109,7 @@ static int set_up(void **state)
     (void)state;
     memset(&rig, 0, sizeof rig);
     rig.clock.now_ns = 1000 * MS;
-    rig.told = 1;
+    rig.report_count = 1;
     rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
     rig.buttons.clock = rig.hal.clock;
@@ -140,14 +140,14 @@ static void test_controllers_are_reassigned_only_while_no_player_is_active(void 
 {
     (void)state;
     frames(10);
-    assert_int_equal(rig.asked_moving, 11); /* arrange() is called once before the first frame, and
+    assert_int_equal(rig.moving_calls, 11); /* arrange() is called once before the first frame, and
                                                once in each of 10 frames. */
-    assert_int_equal(rig.asked_still, 0);
+    assert_int_equal(rig.still_calls, 0);
     begin_round();
-    const uint32_t before = rig.asked_moving;
+    const uint32_t before = rig.moving_calls;
     frames(60);
-    assert_int_equal(rig.asked_moving, before);
-    assert_true(rig.asked_still >= 60);
+    assert_int_equal(rig.moving_calls, before);
+    assert_true(rig.still_calls >= 60);
 }
 
 static void test_a_dip_scoops_in_a_round_and_presses_on_pages(void **state)
@@ -167,9 +167,9 @@ static void test_controllers_are_reassigned_in_the_operator_menu(void **state)
 {
     (void)state;
     rig.kiosk.core.game.phase = PHASE_MENU;
-    const uint32_t before = rig.asked_moving;
+    const uint32_t before = rig.moving_calls;
     frames(1);
-    assert_int_equal(rig.asked_moving, before + 1);
+    assert_int_equal(rig.moving_calls, before + 1);
 }
 
 /* A slot that gets another controller has no input loss, so no fault must be counted. */
@@ -228,7 +228,7 @@ static void test_the_latency_of_a_report_is_measured_from_arrival_to_tick(void *
 {
     (void)state;
     rig.stamps = 1;
-    rig.told = 4;
+    rig.report_count = 4;
     rig.late_ns = 5 * MS;
     frames(50);
     const struct frame_timing *wait = &rig.kiosk.report_wait;
@@ -247,7 +247,7 @@ static void test_a_report_between_two_ticks_is_used_by_the_next_tick(void **stat
     rig.clock.now_ns += 1 * MS;
     kiosk_frame(&rig.kiosk, &rig.hal);
     assert_int_equal(rig.kiosk.report_wait.count, 0);
-    rig.told = 0;
+    rig.report_count = 0;
     rig.clock.now_ns += 20 * MS;
     kiosk_frame(&rig.kiosk, &rig.hal);
     assert_int_equal(rig.kiosk.report_wait.count, 1);

@@ -44,7 +44,7 @@ static void report(void)
 {
     const float t = (float)rig.report_count * (float)REPORT_NS * 1e-9f;
     const float down = f_smoothstep(0.2f, 0.6f, f_sin(2.1f * t));
-    const struct poi_report says = {
+    const struct poi_report report = {
         .target = { .position_m =
                         v3(0.12f * f_sin(0.9f * t), 0.05f - 0.09f * down, 0.08f * f_cos(0.7f * t)),
                     .angles = { .pitch_rad = 0.2f + 1e-3f * f_sin(40.0f * t) } },
@@ -52,7 +52,7 @@ static void report(void)
     };
     uint8_t bytes[POI_REPORT_SIZE];
     rig.clock.now_ns += REPORT_NS;
-    poi_report_encode(&says, bytes);
+    poi_report_encode(&report, bytes);
     hid_port_sim_report(&rig.wire.port, bytes, sizeof bytes);
     if (++rig.report_count % 2u == 0) {
         assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_RUNS);

@@ -17,7 +17,7 @@
 #include "platform/os/log.h"
 
 static char place[] = "/tmp/kingyo-say-XXXXXX";
-static char said[2u * LOG_LINE_MAX];
+static char printed[2u * LOG_LINE_MAX];
 static bool has_variable = true;
 
 /* Logs a warning while standard error is a file. $JOURNAL_STREAM names the device and the inode of
@@ -42,8 +42,8 @@ static void say_into_file(int shift, const char *words)
     fflush(stderr);
     dup2(before, STDERR_FILENO);
     close(before);
-    memset(said, 0, sizeof said);
-    assert_true(pread(file, said, sizeof said - 1u, 0) > 0);
+    memset(printed, 0, sizeof printed);
+    assert_true(pread(file, printed, sizeof printed - 1u, 0) > 0);
     close(file);
     unlink(place);
     unsetenv("JOURNAL_STREAM");
@@ -54,7 +54,7 @@ static void test_a_log_line_to_the_journal_has_a_priority(void **state)
 {
     (void)state;
     say_into_file(0, "a.conf:3: unknown key");
-    assert_string_equal(said, "<4>kingyo: a.conf:3: unknown key\n");
+    assert_string_equal(printed, "<4>kingyo: a.conf:3: unknown key\n");
 }
 
 /* In a service that runs `kingyo 2>log`, standard error is not the journal. */
@@ -62,14 +62,14 @@ static void test_a_log_line_to_a_file_has_no_priority(void **state)
 {
     (void)state;
     say_into_file(1, "a.conf:3: unknown key");
-    assert_string_equal(said, "kingyo: a.conf:3: unknown key\n");
+    assert_string_equal(printed, "kingyo: a.conf:3: unknown key\n");
 }
 
 static void test_a_log_line_contains_no_control_character(void **state)
 {
     (void)state;
     say_into_file(1, "pad '\033[2J\xC2\x9B\xE2\x80\xAE\x9B\nkingyo: forged' is gone");
-    assert_string_equal(said, "kingyo: pad '?[2J????kingyo: forged' is gone\n");
+    assert_string_equal(printed, "kingyo: pad '?[2J????kingyo: forged' is gone\n");
 }
 
 static void test_a_long_log_line_is_truncated_and_terminated(void **state)
@@ -78,8 +78,8 @@ static void test_a_long_log_line_is_truncated_and_terminated(void **state)
     (void)state;
     memset(words, 'x', sizeof words - 1u);
     say_into_file(0, words);
-    assert_in_range(strlen(said), LOG_LINE_MAX - 64u, LOG_LINE_MAX - 1u);
-    assert_int_equal(said[strlen(said) - 1u], '\n');
+    assert_in_range(strlen(printed), LOG_LINE_MAX - 64u, LOG_LINE_MAX - 1u);
+    assert_int_equal(printed[strlen(printed) - 1u], '\n');
 }
 
 static void test_without_the_environment_variable_there_is_no_journal(void **state)
@@ -87,7 +87,7 @@ static void test_without_the_environment_variable_there_is_no_journal(void **sta
     (void)state;
     has_variable = false;
     say_into_file(0, "a");
-    assert_string_equal(said, "kingyo: a\n");
+    assert_string_equal(printed, "kingyo: a\n");
     has_variable = true;
 }
 

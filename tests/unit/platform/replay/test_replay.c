@@ -238,13 +238,14 @@ static void test_a_recording_of_a_different_version_is_reported(void **state)
     assert_non_null(strstr(reader.problem.text, "version 11"));
     /* For each old version that this program cannot read, the message must name the version. */
     for (uint8_t old = 1; old < REPLAY_VERSION_MIN; old++) {
-        char says[REPLAY_PROBLEM_SIZE];
+        char expected[REPLAY_PROBLEM_SIZE];
         bytes[8] = old;
         write_file(bytes, size);
-        snprintf(says, sizeof says, "format version %u; this program reads versions %u to %u", old,
-                 REPLAY_VERSION_MIN, REPLAY_VERSION);
+        snprintf(expected, sizeof expected,
+                 "format version %u; this program reads versions %u to %u", old, REPLAY_VERSION_MIN,
+                 REPLAY_VERSION);
         assert_int_equal(scan(&totals), -1);
-        assert_string_equal(reader.problem.text, says);
+        assert_string_equal(reader.problem.text, expected);
     }
 }
 

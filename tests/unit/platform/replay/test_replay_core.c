@@ -50,14 +50,14 @@ static void play_and_record(uint32_t seconds, uint32_t lie_at)
     assert_int_equal(recorder_begin(&recorder, path, &core), 0);
     const struct kiosk_tap tap = recorder_tap(&recorder);
     for (uint32_t tick = 0; tick < seconds * CORE_TICK_HZ; tick++) {
-        static struct core told;
+        static struct core altered;
         input.pressed = tick == CORE_TICK_HZ ? INPUT_START : 0;
         input.shade[0] = fan_at(tick);
         output.sound_count = 0;
         core_tick(&core, &input, &output);
-        told = core;
-        told.game.tick += tick >= lie_at;
-        tap.tick(tap.self, &input, &told);
+        altered = core;
+        altered.game.tick += tick >= lie_at;
+        tap.tick(tap.self, &input, &altered);
     }
     assert_int_equal(recorder_end(&recorder), 0);
 }

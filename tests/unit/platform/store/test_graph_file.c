@@ -20,14 +20,14 @@
 static const struct species_card *card; /* Description of the species wakin (a goldfish). */
 static char folder[64];
 static struct lab_book book;
-static char told[512];
-static uint32_t told_count;
+static char reported[512];
+static uint32_t reported_count;
 
 static void tell(void *context, const char *line)
 {
     assert_ptr_equal(context, &book);
-    snprintf(told, sizeof told, "%s", line);
-    told_count++;
+    snprintf(reported, sizeof reported, "%s", line);
+    reported_count++;
 }
 
 static const struct graph_file_warn warn = { tell, &book };
@@ -39,8 +39,8 @@ static int setup(void **state)
     snprintf(folder, sizeof folder, "/tmp/kingyo-edit-XXXXXX");
     assert_non_null(mkdtemp(folder));
     memset(&book, 0, sizeof book);
-    told[0] = 0;
-    told_count = 0;
+    reported[0] = 0;
+    reported_count = 0;
     return 0;
 }
 
@@ -112,7 +112,7 @@ static void test_a_stored_graph_is_loaded_at_the_next_start(void **state)
     const struct graph_edit_record record = drawn();
     assert_int_equal(graph_file_write(folder, &record), 0);
     graph_file_load(folder, &book, warn);
-    assert_int_equal(told_count, 0);
+    assert_int_equal(reported_count, 0);
     assert_int_equal(book.has_edit[0], 1);
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
     assert_true(lab_book_is_valid(&book));
@@ -129,7 +129,7 @@ static void test_resetting_a_graph_to_the_species_default_deletes_its_file(void 
     assert_int_equal(graph_file_write(folder, &record), 0);
     graph_file_load(folder, &book, warn);
     assert_int_equal(book.has_edit[0], 0);
-    assert_int_equal(told_count, 0);
+    assert_int_equal(reported_count, 0);
 }
 
 static void put_file(const char *text, size_t size)
@@ -149,15 +149,15 @@ static void test_an_invalid_graph_file_is_reported_and_the_species_keeps_its_def
     (void)state;
     put_file("kingyo-graph 1\nspecies wakin\nnonsense\n", 39);
     graph_file_load(folder, &book, warn);
-    assert_int_equal(told_count, 1);
-    assert_non_null(strstr(told, "graphs/wakin.graph:3: wakin has "));
+    assert_int_equal(reported_count, 1);
+    assert_non_null(strstr(reported, "graphs/wakin.graph:3: wakin has "));
     assert_int_equal(book.has_edit[0], 0);
     static char huge[3u * GRAPH_FILE_TEXT_MAX];
     memset(huge, '#', sizeof huge);
     put_file(huge, sizeof huge);
     graph_file_load(folder, &book, warn);
-    assert_int_equal(told_count, 2);
-    assert_non_null(strstr(told, "longer than any graph"));
+    assert_int_equal(reported_count, 2);
+    assert_non_null(strstr(reported, "longer than any graph"));
 }
 
 #define ENDS "knot 0 1 0 0 0 0\nknot 1 0 0 0 0 1\n"
@@ -171,7 +171,7 @@ static void test_each_graph_error_is_reported_with_its_line(void **state)
              "kingyo-graph 1\nspecies wakin\nkeys %u\ntemplate own\nline straight\nsolved 0\n",
              card->key_count);
     static const struct {
-        const char *body, *says;
+        const char *body, *reason;
     } mistakes[] = {
         { "", "6: the file ends without 'end'" },
         { "knot 0 1 0 0 0 0\nend\n", "8: fewer than 2 knots" },
@@ -192,7 +192,7 @@ static void test_each_graph_error_is_reported_with_its_line(void **state)
         char text[600];
         snprintf(text, sizeof text, "%s%s", head, mistakes[i].body);
         assert_int_equal(parse(text, &edit, why), 0);
-        if (strstr(why, mistakes[i].says) == NULL) {
+        if (strstr(why, mistakes[i].reason) == NULL) {
             fail_msg("'%s' is reported as '%s'", mistakes[i].body, why);
         }
     }

@@ -113,7 +113,7 @@ static void test_the_final_entry_completes_the_operating_time(void **state)
         0); /* Because the start number is 0, no store was found, so no final entry is returned. */
     core.game.accounts.ledger.boot = 3;
     const uint64_t hash = core_hash(&core);
-    const uint32_t told = audit(AUDIT_UP_S);
+    const uint32_t reported = audit(AUDIT_UP_S);
     assert_int_equal(
         health_log_final(&core.game.accounts, &core.game.health_log, core.game.tick, &input, &last),
         1);
@@ -122,7 +122,7 @@ static void test_the_final_entry_completes_the_operating_time(void **state)
     assert_int_equal(last.boot, 3);
     /* The kiosk has run for 130 s. The audits contain some of these seconds, and the final entry
      * contains the others. */
-    assert_int_equal(told + (uint32_t)last.value, 130);
+    assert_int_equal(reported + (uint32_t)last.value, 130);
     assert_int_equal(last.health.up_s, 130);
     assert_true(core_hash(&core) == hash);
 }

@@ -15,8 +15,8 @@ static struct ledger_entry journal[LOG_MAX];
 static struct disk {
     /* Id of the last ledger entry that is on the disk. */
     uint32_t id;
-    uint32_t told; /* Id of the newest entry that was reported to the kiosk as saved. */
-    uint32_t ill;  /* Ticks until the store works again; 0 if the store works. */
+    uint32_t reported; /* Id of the newest entry that was reported to the kiosk as saved. */
+    uint32_t ill;      /* Ticks until the store works again; 0 if the store works. */
     uint32_t boots;
 } disk;
 /* Value of all coins inserted since the last start of the kiosk, in coin units. */
@@ -89,7 +89,7 @@ static void start(void)
     memset(&input, 0, sizeof input);
     memset(&output, 0, sizeof output);
     output.entry_id = disk.id;
-    disk.told = disk.id;
+    disk.reported = disk.id;
     disk.ill = 0;
     fallen = 0;
     hold_at(ABOVE_M);
@@ -104,7 +104,7 @@ static void take_entries(uint32_t before)
         journal[id] = output.entries[id % LEDGER_RING];
         assert_int_equal(journal[id].id, id);
         if (journal[id].kind == LEDGER_BEGIN) {
-            const struct sum safe = sum_to(disk.told);
+            const struct sum safe = sum_to(disk.reported);
             assert_true(safe.credits + safe.service + safe.back >= sum_to(id).spent);
         }
     }
@@ -118,9 +118,9 @@ static void serve_disk(void)
     }
     /* The store reports the saved entries late: only in one of four ticks on average. */
     if (draw(4) == 0) {
-        disk.told = disk.id;
+        disk.reported = disk.id;
     }
-    input.record_saved_id = disk.told;
+    input.record_saved_id = disk.reported;
     input.store_well = disk.ill == 0;
 }
 
@@ -144,14 +144,14 @@ static void live(void)
  * wait for an entry. */
 static void expect_no_coin_lost(uint32_t began)
 {
-    uint32_t told = 0, waits = 0;
+    uint32_t reported = 0, waits = 0;
     for (uint32_t id = began + 1u; id <= output.entry_id; id++) {
-        told += journal[id].kind == LEDGER_COINS ? (uint32_t)journal[id].value : 0u;
+        reported += journal[id].kind == LEDGER_COINS ? (uint32_t)journal[id].value : 0u;
     }
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
         waits += core.game.accounts.credit.pending_coins[line].owed;
     }
-    assert_int_equal(told + waits, fallen);
+    assert_int_equal(reported + waits, fallen);
     assert_int_equal(core.game.accounts.ledger.balance.unlogged, waits);
     expect_balance(output.entry_id, &core.game.accounts.ledger.balance);
 }
@@ -172,9 +172,9 @@ static void test_a_power_cut_at_any_tick_neither_loses_nor_repeats_stored_entrie
         untold += core.game.accounts.ledger.balance.unlogged > 0;
         begun += core.game.accounts.ledger.balance.open != PAYMENT_NONE;
         behind += disk.id < output.entry_id;
-        assert_true(disk.id >= disk.told);
+        assert_true(disk.id >= disk.reported);
         /* The kiosk starts again with the last entry on the disk. Later entries are lost, but none
-         * of these had been reported as saved (`disk.told`). */
+         * of these had been reported as saved (`disk.reported`). */
         if (disk.id > 0) {
             const struct balance left = journal[disk.id].balance;
             expect_balance(disk.id, &left);

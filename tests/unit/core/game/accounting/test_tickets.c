@@ -10,14 +10,14 @@
 #define SYNC_TICKS 7u
 /* Number of ticks between the writing of a ledger entry and the moment when the store reports the
  * entry to the core as stored. */
-#define TOLD_TICKS 10u
+#define REPORT_TICKS 10u
 #define PULSE_TICKS 30u /* Ticks that the dispenser needs for one ticket. */
 #define LOG_MAX 256u
 
 static struct ledger_entry journal[LOG_MAX];
 /* Tick in which each entry was written. The index is the id of the entry. */
 static uint32_t written_at[LOG_MAX];
-static uint32_t saved_id, told_id, pulses, pulse_ticks, cut_pulses;
+static uint32_t saved_id, reported_id, pulses, pulse_ticks, cut_pulses;
 
 static void take_entries(uint32_t before)
 {
@@ -35,10 +35,11 @@ static void slow_step(void)
     while (saved_id < output.entry_id && core.game.tick - written_at[saved_id + 1u] >= SYNC_TICKS) {
         saved_id++;
     }
-    while (told_id < saved_id && core.game.tick - written_at[told_id + 1u] >= TOLD_TICKS) {
-        told_id++;
+    while (reported_id < saved_id &&
+           core.game.tick - written_at[reported_id + 1u] >= REPORT_TICKS) {
+        reported_id++;
     }
-    input.record_saved_id = told_id;
+    input.record_saved_id = reported_id;
     input.store_well = 1;
     store_is_late = 1;
     step();
@@ -61,7 +62,7 @@ static int setup_tickets(void **state)
     core.config.ticket_fish = 1;
     memset(journal, 0, sizeof journal);
     memset(written_at, 0, sizeof written_at);
-    saved_id = told_id = pulses = pulse_ticks = cut_pulses = 0;
+    saved_id = reported_id = pulses = pulse_ticks = cut_pulses = 0;
     take_entries(0);
     return 0;
 }
@@ -79,7 +80,7 @@ static void win(void)
     input.coin_count[0] = PRICE;
     slow_step();
     input.coin_count[0] = 0;
-    slow_steps(4u * TOLD_TICKS);
+    slow_steps(4u * REPORT_TICKS);
     input.pressed = INPUT_START;
     slow_steps(GAME_READY_TICKS + 1u);
     assert_int_equal(core.game.phase, PHASE_ROUND);
@@ -106,7 +107,7 @@ static void cut_power(void)
     assert_int_equal(core_init(&core, &config), CORE_OK);
     memset(&input, 0, sizeof input);
     memset(&output, 0, sizeof output);
-    output.entry_id = told_id = saved_id;
+    output.entry_id = reported_id = saved_id;
     for (uint32_t id = 0; id <= saved_id; id++) {
         written_at[id] = 0;
     }
@@ -164,7 +165,7 @@ static void test_a_disk_that_stores_nothing_dispenses_no_ticket(void **state)
     input.coin_count[0] = PRICE;
     slow_step();
     input.coin_count[0] = 0;
-    slow_steps(4u * TOLD_TICKS);
+    slow_steps(4u * REPORT_TICKS);
     input.pressed = INPUT_START;
     slow_steps(GAME_READY_TICKS + 1u);
     core.game.player[0].caught = WON;
@@ -204,7 +205,7 @@ static void test_a_ticket_starts_only_after_the_pulse_of_the_previous_one(void *
 static void test_a_power_cut_at_any_tick_loses_one_ticket_at_most_and_repeats_none(void **state)
 {
     uint32_t missing_cuts = 0;
-    for (uint32_t at = 0; at < WON * (PULSE_TICKS + 4u * TOLD_TICKS); at += 3u) {
+    for (uint32_t at = 0; at < WON * (PULSE_TICKS + 4u * REPORT_TICKS); at += 3u) {
         setup_tickets(state);
         win();
         while (saved_id < output.entry_id) {
@@ -217,7 +218,7 @@ static void test_a_power_cut_at_any_tick_loses_one_ticket_at_most_and_repeats_no
         if (cuts_again) {
             cut_power();
         }
-        slow_steps(4u * WON * (PULSE_TICKS + 4u * TOLD_TICKS));
+        slow_steps(4u * WON * (PULSE_TICKS + 4u * REPORT_TICKS));
         const uint32_t whole = pulses - cut_pulses;
         assert_true(pulses <= WON);
         assert_true(whole + 1u + cuts_again >= WON);
@@ -245,7 +246,7 @@ static void test_a_late_card_that_stalls_dispenses_no_ticket_before_its_entry_is
         input.store_well = i % 100u >= 3u;
         step();
         assert_int_equal(output.tickets, dispensed);
-        assert_int_equal(core.game.accounts.ledger.saved_id, told_id);
+        assert_int_equal(core.game.accounts.ledger.saved_id, reported_id);
     }
     /* The store has not responded for longer than LEDGER_WAIT_TICKS_MAX, so it counts as failed and
      * the coin slot is closed. */
@@ -257,7 +258,7 @@ static void test_credits_expire_only_after_a_late_card_stored_them(void **state)
     (void)state;
     core.config.persistent.settings.value[SET_CREDIT_EXPIRY_MIN] = 1;
     core.game.accounts.ledger.boot = 0;
-    slow_steps(4u * TOLD_TICKS);
+    slow_steps(4u * REPORT_TICKS);
     input.coin_count[0] = PRICE;
     slow_step();
     input.coin_count[0] = 0;
@@ -266,7 +267,7 @@ static void test_credits_expire_only_after_a_late_card_stored_them(void **state)
         step(); /* Unlike slow_step(), step() stores no entry. */
     }
     assert_int_equal(balance()->paid, 1);
-    for (uint32_t i = 0; i < 4u * TOLD_TICKS; i++) {
+    for (uint32_t i = 0; i < 4u * REPORT_TICKS; i++) {
         input.record_saved_id = output.entry_id;
         step();
     }

@@ -319,20 +319,20 @@ static void test_motion_during_late_reports_is_valid(void **state)
 static void test_missed_motion_is_followed_in_three_quarters_of_its_time(void **state)
 {
     for (uint32_t period = 1; period <= INPUT_SILENT_TICKS; period += period < 13 ? 1u : 7u) {
-        float said_m = 0.0f, poi_m = 0.0f;
+        float reported_m = 0.0f, poi_m = 0.0f;
         set_up(state);
         for (uint32_t i = 0; i < 4u * period; i++) {
             hand.age_ticks = (uint16_t)(i % period);
-            said_m = hand.age_ticks == 0 ? (float)i : said_m;
-            hand.target.position_m.x = 1e-3f * said_m;
+            reported_m = hand.age_ticks == 0 ? (float)i : reported_m;
+            hand.target.position_m.x = 1e-3f * reported_m;
             assert_int_equal(tick(), INPUT_VALID);
-            poi_m += input_validation_blend(&validation) * (said_m - poi_m);
+            poi_m += input_validation_blend(&validation) * (reported_m - poi_m);
             if (i >= 2u * period && period > INPUT_LATE_TICKS) {
                 const float whole = (float)(3u * period / 4u);
                 const float gone = f_min((float)(hand.age_ticks + 1u) / whole, 1.0f);
-                assert_float_equal(poi_m, said_m - (1.0f - gone) * (float)period, 1e-3f);
+                assert_float_equal(poi_m, reported_m - (1.0f - gone) * (float)period, 1e-3f);
             } else if (period <= INPUT_LATE_TICKS) {
-                assert_true(poi_m == said_m);
+                assert_true(poi_m == reported_m);
             }
         }
     }

@@ -188,10 +188,11 @@ static void expect_no_patchwork(const struct settings *before, uint32_t before_i
     for (uint32_t i = 0; i <= count; i++) {
         const struct settings left = settings_cut_after(before, before_id, i);
         const struct settings *whole = i < count ? before : &now;
-        const struct poi_input said = { .link = POI_SOURCE_LIVE,
-                                        .has_wrist = 1,
-                                        .target = { { 0.1f, 0.2f, 0.3f }, { 0.4f, 0.5f, 0.6f } } };
-        struct poi_input poi = said, wanted = said;
+        const struct poi_input report = { .link = POI_SOURCE_LIVE,
+                                          .has_wrist = 1,
+                                          .target = { { 0.1f, 0.2f, 0.3f },
+                                                      { 0.4f, 0.5f, 0.6f } } };
+        struct poi_input poi = report, wanted = report;
         input_calibration_apply(&left, 0, &poi);
         if (i == 0 || i == count) {
             input_calibration_apply(whole, 0, &wanted);

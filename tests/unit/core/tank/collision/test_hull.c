@@ -77,15 +77,16 @@ static void test_the_distance_to_a_hull_is_that_of_its_nearest_point(void **stat
     uint32_t apart = 0, touching = 0;
     for (uint32_t i = 0; i < 400; i++) {
         const struct box box = fish_near(i);
-        const double told_m = (double)shape_touch_hull(&hull, &box).gap_m, true_m = sampled_m(&box);
+        const double measured_m = (double)shape_touch_hull(&hull, &box).gap_m,
+                     true_m = sampled_m(&box);
         if (true_m > 0.0005) {
-            assert_true(told_m > 0.0);
+            assert_true(measured_m > 0.0);
         }
-        if (true_m > 0.0005 && true_m < 0.003 && told_m < (double)SHAPE_TOUCH_FAR_M) {
+        if (true_m > 0.0005 && true_m < 0.003 && measured_m < (double)SHAPE_TOUCH_FAR_M) {
             apart++;
-            worst_share = fmax(worst_share, fabs(told_m - true_m) / true_m);
+            worst_share = fmax(worst_share, fabs(measured_m - true_m) / true_m);
         }
-        if (told_m < -0.0005) {
+        if (measured_m < -0.0005) {
             touching++;
             worst_m = fmax(worst_m, true_m);
         }

@@ -56,10 +56,10 @@ int __wrap_ioctl(int file, unsigned long request, void *out)
     if (request == HIDIOCGRDESCSIZE) {
         *(int *)out = (int)kernel.size;
     } else if (request == HIDIOCGRDESC) {
-        struct hidraw_report_descriptor *said = out;
+        struct hidraw_report_descriptor *reported = out;
         /* The caller sets `size` to the size of the descriptor before it requests the bytes. */
-        assert_int_equal(said->size, kernel.size);
-        memcpy(said->value, kernel.descriptor, kernel.size);
+        assert_int_equal(reported->size, kernel.size);
+        memcpy(reported->value, kernel.descriptor, kernel.size);
     }
     return 0;
 }

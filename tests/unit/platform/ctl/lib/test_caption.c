@@ -94,14 +94,14 @@ static void test_larger_text_has_proportionally_more_ink(void **state)
     canvas_close(&large);
 }
 
-static void says_age(float days, const char *wanted)
+static void has_age(float days, const char *wanted)
 {
     char words[CAPTION_WORDS_SIZE];
     caption_age(words, days);
     assert_string_equal(words, wanted);
 }
 
-static void says_length(float length_m, const char *wanted)
+static void has_length(float length_m, const char *wanted)
 {
     char words[CAPTION_WORDS_SIZE];
     caption_length(words, length_m);
@@ -111,14 +111,14 @@ static void says_length(float length_m, const char *wanted)
 static void test_ages_and_lengths_have_suitable_units(void **state)
 {
     (void)state;
-    says_age(0.0f, "hatching");
-    says_age(12.34f, "12.3 days");
-    says_age(400.0f, "400 days");
-    says_age(1461.0f, "4.0 years");
-    says_length(0.0005f, "0.50 mm");
-    says_length(0.0204f, "20.4 mm");
-    says_length(0.45f, "45.0 cm");
-    says_length(2.083f, "2.08 m");
+    has_age(0.0f, "hatching");
+    has_age(12.34f, "12.3 days");
+    has_age(400.0f, "400 days");
+    has_age(1461.0f, "4.0 years");
+    has_length(0.0005f, "0.50 mm");
+    has_length(0.0204f, "20.4 mm");
+    has_length(0.45f, "45.0 cm");
+    has_length(2.083f, "2.08 m");
 }
 
 static void test_names_are_capitalized_and_spaced(void **state)

@@ -15,7 +15,7 @@
 
 static struct round_plan plans[COUNT];
 static struct round_result results[COUNT];
-static uint32_t order[COUNT], told;
+static uint32_t order[COUNT], reported;
 
 static struct round_plan plan_of(uint32_t seed)
 {
@@ -28,7 +28,7 @@ static void tell(void *self, uint32_t index)
 {
     assert_ptr_equal(self, results);
     assert_int_equal(results[index].code, EXIT_OK);
-    order[told++] = index;
+    order[reported++] = index;
 }
 
 static enum exit_code play(uint32_t count, uint32_t workers)
@@ -39,7 +39,7 @@ static enum exit_code play(uint32_t count, uint32_t workers)
                                    .workers = workers,
                                    .done = tell,
                                    .self = results };
-    told = 0;
+    reported = 0;
     return rounds_play(&rounds);
 }
 
@@ -77,7 +77,7 @@ static void test_each_round_is_reported_once(void **state)
         plans[i] = plan_of(i);
     }
     assert_int_equal(play(COUNT, 2), EXIT_OK);
-    assert_int_equal(told, COUNT);
+    assert_int_equal(reported, COUNT);
     for (uint32_t i = 0; i < COUNT; i++) {
         seen |= 1u << order[i];
     }

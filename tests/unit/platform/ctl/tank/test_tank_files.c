@@ -16,7 +16,7 @@
 
 #define HEAD "t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg\n"
 
-static char file_name[64], said[512];
+static char file_name[64], printed[512];
 static struct tank_path path;
 static struct tank_place place;
 static struct tank tank;
@@ -29,7 +29,7 @@ static void write_file(const char *text)
     fclose(file);
 }
 
-/* Calls `read` on a file with `text`. Copies the output on standard error to `said`. */
+/* Calls `read` on a file with `text`. Copies the output on standard error to `printed`. */
 static enum exit_code read_text(const char *text, enum exit_code (*read)(void))
 {
     char log_name[80];
@@ -44,7 +44,7 @@ static enum exit_code read_text(const char *text, enum exit_code (*read)(void))
     close(shown);
     FILE *log = fopen(log_name, "r");
     assert_non_null(log);
-    said[fread(said, 1, sizeof said - 1, log)] = '\0';
+    printed[fread(printed, 1, sizeof printed - 1, log)] = '\0';
     fclose(log);
     unlink(log_name);
     return code;
@@ -73,11 +73,11 @@ static enum exit_code stage_place(void)
 }
 
 /* Asserts that standard error has one line, with the file name and the given position. */
-static void expect_said(const char *line_and_column)
+static void expect_printed(const char *line_and_column)
 {
-    assert_non_null(strstr(said, file_name));
-    assert_non_null(strstr(said, line_and_column));
-    assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
+    assert_non_null(strstr(printed, file_name));
+    assert_non_null(strstr(printed, line_and_column));
+    assert_ptr_equal(strchr(printed, '\n'), printed + strlen(printed) - 1);
 }
 
 static void test_a_path_is_interpolated_between_rows_and_constant_after_the_last(void **state)
@@ -135,7 +135,7 @@ static void test_a_path_error_is_reported_with_line_and_column(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         assert_int_equal(read_text(bad[i].text, read_path), EXIT_BAD_DATA);
-        expect_said(bad[i].where);
+        expect_printed(bad[i].where);
     }
 }
 
@@ -191,7 +191,8 @@ static void test_fish_are_placed_from_the_first_tick_of_a_trace(void **state)
                                           "24,1,20,-0.9,0,0,40,0,5,2,1,0.5,2,surface,10,none\n",
                                stage_place),
                      EXIT_OK);
-    expect_said("the 3 fish of the first tick, 12, are placed; 2 rows of other ticks are skipped");
+    expect_printed(
+        "the 3 fish of the first tick, 12, are placed; 2 rows of other ticks are skipped");
     const struct fish *fish = tank.fish;
     assert_int_equal(tank.fish_count, 3);
     assert_int_equal(fish[0].gait, GAIT_BURST);
@@ -209,7 +210,7 @@ static void test_a_trace_of_one_tick_is_placed_without_a_message(void **state)
     assert_int_equal(
         read_text(TRACE_HEAD "12,0,-20,-5,0,-90,0,0,5,2,1,40,9,swim,60,none\n", stage_place),
         EXIT_OK);
-    assert_string_equal(said, "");
+    assert_string_equal(printed, "");
 }
 
 /* Section 3.6 of the thesis: a tired fish gulps air at the surface for 3 s, recovers completely,
@@ -254,7 +255,7 @@ static void test_fish_that_cannot_be_placed_are_reported(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         assert_int_equal(read_text(bad[i].text, stage_place), EXIT_BAD_DATA);
-        expect_said(bad[i].where);
+        expect_printed(bad[i].where);
     }
 }
 

@@ -118,13 +118,13 @@ static void rest(void)
 
 /* Returns the verdict for a round whose entry is no longer in the ledger. The replay can then be
  * compared only with the ranking. */
-static enum replay_verdict says(uint32_t round_id)
+static enum replay_verdict stored_verdict(uint32_t round_id)
 {
     static const struct ledger_entry dropped;
     return replay_verifier_result(&verifier, &core.game.accounts.ranking, round_id, &dropped);
 }
 
-static enum replay_verdict judged(const uint8_t *bytes, size_t size, uint32_t round_id)
+static enum replay_verdict verdict_of(const uint8_t *bytes, size_t size, uint32_t round_id)
 {
     if (replay_verifier_begin(&verifier, bytes, size) == 0) {
         while (replay_verifier_tick(&verifier)) {
@@ -139,9 +139,9 @@ static void test_a_ranked_round_has_a_replay_that_verifies(void **state)
     const uint32_t round_id = play();
     assert_int_equal(sim.replay_id, round_id);
     assert_int_equal(sessions.missed, 0);
-    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     assert_int_equal(verifier.round.round.caught, sim.record.caught);
-    assert_int_equal(judged(room, sim.replay_size, round_id + 1u), REPLAY_VERDICT_OTHER);
+    assert_int_equal(verdict_of(room, sim.replay_size, round_id + 1u), REPLAY_VERDICT_OTHER);
 }
 
 /* Returns the settings that the replay contains in its initial state. */
@@ -170,11 +170,11 @@ static void test_a_stored_replay_contains_no_pin_and_verifies(void **state)
     const int32_t kept = core.config.persistent.settings.value[SET_PIN];
     const uint32_t first_id = play();
     assert_int_equal(settings_of(room, sim.replay_size)->value[SET_PIN], PIN_WITHHELD);
-    assert_int_equal(judged(room, sim.replay_size, first_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verdict_of(room, sim.replay_size, first_id), REPLAY_VERDICT_GENUINE);
     rest(); /* The new session that begins here has the PIN in its initial state. */
     const uint32_t round_id = play();
     assert_int_equal(sim.replay_id, round_id);
-    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     assert_int_equal(core.config.persistent.settings.value[SET_PIN], kept);
     static struct replay_reader reader;
     assert_int_equal(replay_open_in(&reader, room, sim.replay_size), 0);
@@ -184,15 +184,15 @@ static void test_a_stored_replay_contains_no_pin_and_verifies(void **state)
     replay_close(&reader);
 }
 
-/* Starts a session after a change of the PIN. `told` is the PIN in the ledger, and `kept` is the
- * PIN in the settings. */
-static void begin_with_pin(int32_t told, int32_t kept)
+/* Starts a session after a change of the PIN. `logged_pin` is the PIN in the ledger, and `kept` is
+ * the PIN in the settings. */
+static void begin_with_pin(int32_t logged_pin, int32_t kept)
 {
     static struct core_config config;
     rest(); /* A new session begins here, and its configuration then gets both PINs. */
     config = core.config;
     config.persistent.settings.value[SET_PIN] = kept;
-    config.session.settings_edit.logged.value[SET_PIN] = told;
+    config.session.settings_edit.logged.value[SET_PIN] = logged_pin;
     assert_int_equal(core_init(&core, &config), CORE_OK);
     session_recorder_begin(&sessions, &core);
 }
@@ -200,17 +200,17 @@ static void begin_with_pin(int32_t told, int32_t kept)
 static void test_a_replay_after_a_change_of_the_pin_verifies(void **state)
 {
     const int32_t a = pin_hide(4071, 5), b = pin_hide(1234, 9);
-    const int32_t told_kept[][2] = { { a, 0 }, { 0, a }, { a, b } };
+    const int32_t pins[][2] = { { a, 0 }, { 0, a }, { a, b } };
     (void)state;
     play();
-    for (uint32_t i = 0; i < sizeof told_kept / sizeof told_kept[0]; i++) {
-        begin_with_pin(told_kept[i][0], told_kept[i][1]);
-        assert_int_equal(core.game.settings_edit.logged.value[SET_PIN], told_kept[i][0]);
+    for (uint32_t i = 0; i < sizeof pins / sizeof pins[0]; i++) {
+        begin_with_pin(pins[i][0], pins[i][1]);
+        assert_int_equal(core.game.settings_edit.logged.value[SET_PIN], pins[i][0]);
         const uint32_t round_id = play();
         assert_int_equal(sim.replay_id, round_id);
         const struct settings *start = settings_of(room, sim.replay_size);
         assert_true(start->value[SET_PIN] == 0 || start->value[SET_PIN] == PIN_WITHHELD);
-        assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+        assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     }
 }
 
@@ -324,7 +324,7 @@ static void test_the_replay_verifier_is_independent_of_the_float_mode(void **sta
     (void)state;
     const uint32_t round_id = play();
     fesetround(FE_UPWARD);
-    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     assert_true(float_env_is_standard());
     fesetround(FE_TONEAREST);
 }
@@ -338,7 +338,7 @@ static void test_the_replay_verifier_reports_unchecked_if_the_core_fails_to_star
     while (replay_verifier_tick(&verifier)) {
     }
     fesetround(FE_TONEAREST);
-    assert_int_equal(says(round_id), REPLAY_VERDICT_UNCHECKED);
+    assert_int_equal(stored_verdict(round_id), REPLAY_VERDICT_UNCHECKED);
 }
 
 static void test_a_score_is_genuine_only_on_the_board_of_its_level(void **state)
@@ -350,10 +350,10 @@ static void test_a_score_is_genuine_only_on_the_board_of_its_level(void **state)
         struct ranking *ranking = &core.game.accounts.ranking;
         struct rank_row *row = &ranking->row[ranking_board(MODE_FESTIVAL, level)][RANK_EVER][0];
         assert_int_equal(row->round_id, round_id);
-        assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+        assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
         assert_int_equal(verifier.round.round.level, level);
         ranking->row[MODE_FESTIVAL][RANK_EVER][0] = *row;
-        assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
+        assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
     }
     level = LEVEL_MASTER;
 }
@@ -365,14 +365,14 @@ static void test_an_edited_score_is_not_genuine(void **state)
     struct rank_row *row = &core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][0];
     assert_int_equal(row->round_id, round_id);
     row->caught++;
-    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
+    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
     row->caught--;
     row->slot = 1;
-    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
+    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
     row->slot = 0;
-    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     memset(&core.game.accounts.ranking, 0, sizeof core.game.accounts.ranking);
-    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
+    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
 }
 
 /* In each step of the loop, one field of the stored round differs from the replayed round. */
@@ -381,7 +381,7 @@ static void test_a_replay_of_a_different_round_is_not_genuine(void **state)
     (void)state;
     const uint32_t round_id = play();
     const struct ledger_entry kept = sim.round;
-    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     for (uint32_t i = 0; i < 13; i++) {
         struct round_record *round = &sim.round.round;
         uint32_t *const words[] = { &sim.round.boot,
@@ -421,44 +421,44 @@ static void test_each_single_mismatch_makes_a_score_not_genuine(void **state)
     const uint32_t round_id = play();
     struct rank_row *row = &core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][0];
     const struct rank_row ranked = *row;
-    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     static struct replay_verifier found;
     found = verifier;
 
     verifier.round.round.players = 2; /* The mask 2 means that only slot 1 played, but the score
                                       belongs to slot 0. */
-    assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
+    assert_int_equal(stored_verdict(round_id), REPLAY_VERDICT_OTHER);
     verifier = found;
     memset(&core.game.accounts.ranking, 0, sizeof core.game.accounts.ranking);
     *row = ranked;
     row->round_id = round_id + 1u; /* The ranking row now names another round with the same
                                       catch. */
-    assert_int_equal(says(round_id + 1u), REPLAY_VERDICT_OTHER);
+    assert_int_equal(stored_verdict(round_id + 1u), REPLAY_VERDICT_OTHER);
     *row = ranked;
-    assert_int_equal(says(round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(stored_verdict(round_id), REPLAY_VERDICT_GENUINE);
     verifier.recorded
         .ticks++; /* The recorded number of ticks is now larger than the replayed number. */
-    assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
+    assert_int_equal(stored_verdict(round_id), REPLAY_VERDICT_OTHER);
     verifier = found;
     verifier.round.round.by_bot = 1;
-    assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
+    assert_int_equal(stored_verdict(round_id), REPLAY_VERDICT_OTHER);
     verifier = found;
     verifier.round.round.unscored = 1;
-    assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
+    assert_int_equal(stored_verdict(round_id), REPLAY_VERDICT_OTHER);
     verifier = found;
     verifier.replayer.difference.found = 1;
-    assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
+    assert_int_equal(stored_verdict(round_id), REPLAY_VERDICT_OTHER);
     verifier = found;
     verifier.replayer.damaged = 1;
-    assert_int_equal(says(round_id), REPLAY_VERDICT_DAMAGED);
+    assert_int_equal(stored_verdict(round_id), REPLAY_VERDICT_DAMAGED);
     verifier = found;
     verifier.is_damaged = 1;
-    assert_int_equal(says(round_id), REPLAY_VERDICT_DAMAGED);
+    assert_int_equal(stored_verdict(round_id), REPLAY_VERDICT_DAMAGED);
     verifier = found;
     row->caught--;
-    assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
+    assert_int_equal(stored_verdict(round_id), REPLAY_VERDICT_OTHER);
     row->caught++;
-    assert_int_equal(says(round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(stored_verdict(round_id), REPLAY_VERDICT_GENUINE);
 }
 
 static void test_an_altered_replay_is_reported_as_damaged(void **state)
@@ -467,11 +467,11 @@ static void test_an_altered_replay_is_reported_as_damaged(void **state)
     const uint32_t round_id = play();
     for (size_t at = 7; at < sim.replay_size; at += sim.replay_size / 20u) {
         room[at] ^= 1u;
-        assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_DAMAGED);
+        assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_DAMAGED);
         room[at] ^= 1u;
     }
-    assert_int_equal(judged(room, sim.replay_size - 1u, round_id), REPLAY_VERDICT_DAMAGED);
-    assert_int_equal(judged(room, 0, round_id), REPLAY_VERDICT_DAMAGED);
+    assert_int_equal(verdict_of(room, sim.replay_size - 1u, round_id), REPLAY_VERDICT_DAMAGED);
+    assert_int_equal(verdict_of(room, 0, round_id), REPLAY_VERDICT_DAMAGED);
 }
 
 static void test_a_round_of_the_next_session_verifies_alone(void **state)
@@ -482,7 +482,7 @@ static void test_a_round_of_the_next_session_verifies_alone(void **state)
     assert_int_equal(sessions.totals.ticks, 0);
     const uint32_t round_id = play();
     assert_int_equal(sim.replay_id, round_id);
-    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     assert_in_range(verifier.recorded.ticks, 20u * CORE_TICK_HZ, 40u * CORE_TICK_HZ);
 }
 
