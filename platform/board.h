@@ -59,6 +59,9 @@ struct board_options {
      * HAL_ERR_GONE. */
     bool waits_for_screen;
     uint32_t width, height; /* Window or picture size in pixels. 0 means the board's default. */
+    /* Width of the picture without its words, in per cent of the screen's width. 0 means the
+     * renderer's default for the graphics hardware. */
+    uint32_t detail;
     bool mute;
     const char *data_dir; /* Folder of the store. Null means that nothing is stored. */
     struct view view;     /* Camera view from which the rays of a pointer device start. */

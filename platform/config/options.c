@@ -173,6 +173,10 @@ static const struct option table[] = {
       .expects = "5 to 600 seconds" },
     { "window", "WxH", "play in a window of this size in pixels; the default is full screen",
       SET(set_window), .expects = "WIDTHxHEIGHT from 320x240 to 8192x8192", .section = "picture" },
+    { "detail", "PERCENT",
+      "width of the picture without its words, in per cent of the screen's; the default depends on "
+      "the graphics hardware", OPTION_WHOLE, AT(detail), .min = 25, .max = 100,
+      .section = "picture" },
     { "poi", "KIND", "controller of the first player; with bot, the bot plays for all players",
       OPTION_CHOICE, AT(poi), .choices = poi_names, .section = "devices" },
     { "dip", "HOW", "with a mouse or touch screen: hold to dip, or click to dip and to lift",

@@ -30,7 +30,10 @@ struct options {
     bool demo;
     uint32_t demo_s;        /* Length of the demonstration in seconds. */
     uint32_t width, height; /* Window size in pixels. 0 means full screen. */
-    uint8_t poi;            /* Kind of controller that moves the poi (enum board_poi). */
+    /* Width of the picture without its words, in per cent of the screen's width. 0 means that the
+     * renderer chooses the width for the graphics hardware. */
+    uint32_t detail;
+    uint8_t poi; /* Kind of controller that moves the poi (enum board_poi). */
     bool has_seed;
     uint32_t seed;
     uint8_t tank; /* Tank preset of the game (enum tank_preset_id). */

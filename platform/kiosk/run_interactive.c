@@ -114,6 +114,7 @@ bool run_interactive_open(struct run_common *session)
         .waits_for_screen = run_interactive_waits_for_screen(),
         .width = options->width,
         .height = options->height,
+        .detail = options->detail,
         .data_dir = options->data[0] ? options->data : NULL,
         .view = tank_preset(options->tank)->view,
         .on_display_lost = on_display_lost,

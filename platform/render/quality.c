@@ -68,7 +68,7 @@ struct quality quality_choose(const struct quality_request *request)
         quality.screen_scale = quality.scene_scale;
     }
     if (request->scene_scale > 0.0f) {
-        quality.screen_scale = 1.0f;
+        quality.screen_scale = f_clamp(request->scene_scale, 0.25f, 1.0f);
         quality.scene_scale = f_clamp(request->scene_scale, 0.25f, 2.0f);
     }
     quality.floor_scale = quality.scene_scale * machine->floor_scale;
@@ -85,6 +85,7 @@ struct quality quality_choose(const struct quality_request *request)
     const uint32_t side = request->width > request->height ? request->width : request->height;
     const float scale_max = (float)request->side_max / (float)side;
     quality.scene_scale = f_min(quality.scene_scale, scale_max);
+    quality.screen_scale = f_min(quality.screen_scale, scale_max);
     quality.floor_scale = f_min(quality.floor_scale, scale_max);
     quality.mirror_scale = f_min(quality.mirror_scale, scale_max);
     if (side > request->side_max) {

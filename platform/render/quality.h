@@ -40,7 +40,8 @@ struct quality {
 struct quality_request {
     const char *renderer;   /* Name of the graphics hardware (GL_RENDERER). */
     uint32_t width, height; /* Screen size in pixels, > 0. */
-    /* Requested value of quality.scene_scale, clamped to [0.25, 2]. 0 means automatic. */
+    /* Requested value of quality.scene_scale, clamped to [0.25, 2], and of quality.screen_scale,
+     * clamped to [0.25, 1]. 0 means automatic. */
     float scene_scale;
     /* Requested number of multisampling samples, limited to samples_max. 0 means automatic. */
     uint32_t samples;

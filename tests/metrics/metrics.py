@@ -66,7 +66,7 @@ FEATURE_LINES = {
     'the end of a session between two games, and the tick at which a file of a panic ends': 31,
     'a bound for the rewritten part of the write-ahead log': 24,
     'pictures that are drawn once, or at low resolution (shades, reflections, counter, fan)': 156,
-    'quality steps in the order in which a viewer notices them, the screen scale, and half the frame rate': 59,
+    'quality steps in the order in which a viewer notices them, the screen scale, and half the frame rate': 68,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.

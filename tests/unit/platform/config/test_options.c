@@ -40,10 +40,11 @@ static void test_every_option_is_parsed(void **state)
         "--config", "c.conf",   "--lang",    "en",     "--seed",
         "0255",     "--fish",   "50",        "--mode", "championship",
         "--grade",  "4",        "--players", "3",      "--demo",
-        "30",
+        "30",       "--detail", "75",
     };
     (void)state;
     assert_int_equal(parse(COUNT(argv), argv), 0);
+    assert_int_equal(options.detail, 75);
     assert_int_equal(options.width, 800);
     assert_int_equal(options.height, 600);
     assert_int_equal(options.poi, BOARD_POI_BOT);
@@ -175,6 +176,8 @@ static const char *const wrong[][4] = {
     { "kingyo", "fish", NULL },
     { "kingyo", "-", NULL },
     { "kingyo", "", NULL },
+    { "kingyo", "--detail", "24", NULL },
+    { "kingyo", "--detail", "101", NULL },
     { "kingyo", "--window", "800", NULL },
     { "kingyo", "--window", "x600", NULL },
     { "kingyo", "--window", "800x", NULL },

@@ -55,6 +55,7 @@ static void test_a_screen_beyond_the_texture_limit_is_drawn_at_the_limit(void **
     const struct quality quality = quality_choose(&upright);
     assert_float_equal(3840.0f * quality.scene_scale, 2048.0f, 1e-3f);
     assert_float_equal(3840.0f * quality.floor_scale, 2048.0f, 1e-3f);
+    assert_float_equal(3840.0f * quality.screen_scale, 2048.0f, 1e-3f);
     assert_int_equal(quality.samples, 1);
     upright.side_max = 3840;
     assert_int_equal(quality_choose(&upright).samples, 4);
@@ -110,6 +111,7 @@ static void test_a_requested_quality_is_limited_by_the_context(void **state)
     fine.scene_scale = 0.5f;
     fine.samples = 16;
     assert_float_equal(quality_choose(&fine).scene_scale, 0.5f, 1e-6f);
+    assert_float_equal(quality_choose(&fine).screen_scale, 0.5f, 1e-6f);
     assert_int_equal(quality_choose(&fine).samples, 8);
     fine.scene_scale = 9.0f;
     fine.samples_max = 0;
