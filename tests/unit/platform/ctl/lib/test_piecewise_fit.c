@@ -54,7 +54,7 @@ static float worst(const struct piecewise_fit *track, const struct piecewise_fit
     float far = 0.0f, exact;
     for (uint32_t i = 0; i <= 10000; i++) {
         const float progress = (float)i / 10000.0f;
-        f->ask(f->self, progress, &exact);
+        f->sample(f->self, progress, &exact);
         far = f_max(far, f_abs(read_back(track, progress) - exact));
     }
     return far;
