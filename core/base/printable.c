@@ -1,4 +1,4 @@
-/* printable.c -- decodes UTF-8 characters (RFC 3629) and determines which characters may be
+/* printable.c -- encodes and decodes UTF-8 (RFC 3629), and determines which characters may be
  * displayed. */
 #include "core/base/printable.h"
 
@@ -43,6 +43,17 @@ uint32_t printable_code_point(const char *text)
         point = point << 6 | (c[i] & 0x3Fu);
     }
     return point;
+}
+
+char *printable_put(char *to, uint32_t point)
+{
+    static const unsigned char first[] = { 0x00, 0xC0, 0xE0, 0xF0 };
+    const uint32_t more = point < 0x80 ? 0 : point < 0x800 ? 1 : point < 0x10000 ? 2 : 3;
+    *to++ = (char)(first[more] | point >> 6 * more);
+    for (uint32_t i = more; i > 0; i--) {
+        *to++ = (char)(0x80u | (point >> 6 * (i - 1u) & 0x3Fu));
+    }
+    return to;
 }
 
 uint32_t printable_next(const char **at)

@@ -25,6 +25,10 @@ uint32_t printable_utf8_size(const char *text);
  * printable_utf8_size() of `text` is not 0. */
 uint32_t printable_code_point(const char *text);
 
+/* Writes `point` as UTF-8 to `to`, 1 to 4 bytes without a zero byte at the end. `point` must be at
+ * most 0x10FFFF and no surrogate. Returns the address after the last written byte. */
+char *printable_put(char *to, uint32_t point);
+
 /* Returns the code point at `*at` and advances `*at` past this code point. Returns 0 at the end of
  * the text. Malformed bytes are consumed one by one, and each returns PRINTABLE_MALFORMED. */
 uint32_t printable_next(const char **at);

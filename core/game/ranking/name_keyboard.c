@@ -3,6 +3,7 @@
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
+#include "core/base/printable.h"
 
 #define HOLE 0x3000u /* Full-width space, which marks an empty cell in the tables. */
 /* Offset from the code point of a hiragana to the code point of its katakana. */
@@ -114,17 +115,6 @@ void name_spell(const uint16_t *spelt, uint32_t count, char out[LEDGER_NAME_SIZE
     CORE_ASSERT(count <= NAME_LETTERS_MAX);
     memset(out, 0, LEDGER_NAME_SIZE);
     for (uint32_t i = 0; i < count; i++) {
-        const uint16_t letter = spelt[i];
-        if (letter < 0x80u) {
-            *out++ = (char)letter;
-            continue;
-        }
-        if (letter < 0x800u) {
-            *out++ = (char)(0xc0u | letter >> 6);
-        } else {
-            *out++ = (char)(0xe0u | letter >> 12);
-            *out++ = (char)(0x80u | (letter >> 6 & 0x3fu));
-        }
-        *out++ = (char)(0x80u | (letter & 0x3fu));
+        out = printable_put(out, spelt[i]);
     }
 }

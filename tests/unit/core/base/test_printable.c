@@ -106,6 +106,22 @@ static void test_no_text_of_two_bytes_leaves_a_control_character(void **state)
     }
 }
 
+static void test_each_code_point_is_encoded_so_that_it_is_decoded(void **state)
+{
+    (void)state;
+    for (uint32_t point = 1; point <= 0x10FFFF; point++) {
+        if (point < 0xD800 || point > 0xDFFF) {
+            char text[5] = "";
+            const char *end = printable_put(text, point), *at = text;
+            assert_int_equal(printable_next(&at), point);
+            assert_ptr_equal(at, end);
+        }
+    }
+    char fish[4];
+    assert_ptr_equal(printable_put(fish, 0x1F41F), fish + 4);
+    assert_memory_equal(fish, "\xF0\x9F\x90\x9F", 4);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -115,6 +131,7 @@ int main(void)
         cmocka_unit_test(test_bidirectional_controls_are_replaced),
         cmocka_unit_test(test_each_byte_that_is_not_utf8_becomes_one_question_mark),
         cmocka_unit_test(test_no_text_of_two_bytes_leaves_a_control_character),
+        cmocka_unit_test(test_each_code_point_is_encoded_so_that_it_is_decoded),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

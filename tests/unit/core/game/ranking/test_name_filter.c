@@ -8,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "core/base/printable.h"
 #include "core/game/ranking/name_filter.h"
 
 static void expect_all(const char *const *names, size_t count, int refused)
@@ -73,16 +74,9 @@ static void test_every_word_of_the_list_is_rejected(void **state)
     assert_in_range(refused_word_count, 50, 1000);
     for (uint32_t i = 0; i < refused_word_count; i++) {
         char name[3 * REFUSED_LETTERS_MAX + 1] = "";
-        uint32_t used = 0;
+        char *end = name;
         for (uint32_t k = 0; k < refused_words[i].count; k++) {
-            const uint16_t letter = refused_words[i].letters[k];
-            if (letter < 0x80) {
-                name[used++] = (char)letter;
-            } else {
-                name[used++] = (char)(0xe0 | letter >> 12);
-                name[used++] = (char)(0x80 | (letter >> 6 & 0x3f));
-                name[used++] = (char)(0x80 | (letter & 0x3f));
-            }
+            end = printable_put(end, refused_words[i].letters[k]);
         }
         assert_true(name_is_refused(name));
     }
