@@ -16,7 +16,7 @@
  * written its report. Writing to a slow card may take seconds. */
 #define OTHER_WAIT_MS 5000
 
-typedef void (*wish_function)(void *self, const char *reason);
+typedef void (*panic_function)(void *self, const char *reason);
 
 static const struct {
     int number;
@@ -29,8 +29,8 @@ static const struct {
 #define FATAL_COUNT (sizeof fatal / sizeof fatal[0])
 
 static uint8_t stack[PANIC_STACK_SIZE];
-static wish_function wish;
-static void *wish_self;
+static panic_function panic_handler;
+static void *handler_self;
 static atomic_int panicking; /* Id of the thread that panicked first. 0 means no panic. */
 
 /* ---- Text ----------------------------------------------------------------------------------- */
@@ -75,8 +75,8 @@ void panic_report(const char *reason)
 {
     int first = 0;
     if (atomic_compare_exchange_strong(&panicking, &first, (int)gettid())) {
-        if (wish) {
-            wish(wish_self, reason);
+        if (panic_handler) {
+            panic_handler(handler_self, reason);
         } else {
             struct panic_text text = { 0 };
             panic_put(&text, "panic: ");
@@ -104,8 +104,8 @@ void panic_prepare(void (*handler)(void *self, const char *reason), void *self)
 {
     const stack_t own = { .ss_sp = stack, .ss_size = sizeof stack };
     struct sigaction action = { .sa_handler = on_fatal, .sa_flags = SA_ONSTACK };
-    wish = handler;
-    wish_self = self;
+    panic_handler = handler;
+    handler_self = self;
     sigaltstack(&own, NULL);
     sigemptyset(&action.sa_mask);
     for (size_t i = 0; i < FATAL_COUNT; i++) {
