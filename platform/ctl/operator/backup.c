@@ -175,7 +175,8 @@ static bool name_before(struct swap *swap)
 
 /* Replaces the database with the copy. The backup and the ledger mirror, a second copy of the
  * newest entries, are renamed first. The kiosk uses the old database until that database itself is
- * renamed. */
+ * renamed. file_rename_durable() is not used, because it takes paths, and another user who owns a
+ * folder of the path could replace this folder by a symbolic link between two renames. */
 static int put_in_place(const struct swap *swap)
 {
     static const char *const suffixes[] = {
