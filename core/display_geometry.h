@@ -27,7 +27,7 @@ struct display_settings {
      * regularly to prevent burn-in of the screen. */
     float shift_x, shift_y;
     float light; /* Brightness [0, 1]; at 0 the display may skip drawing. */
-    /* How a mouse or a touch screen acts on the picture (drivers/pointer/pointer_aid.h): 1 if one
+    /* How a mouse or a touch screen acts on the picture (drivers/pointer/pointer_poi.h): 1 if one
      * click dips and the next click lifts, and the reach in per cent; 0 means 100. */
     uint32_t dips_by_click, reach_percent;
 };

@@ -10,7 +10,6 @@
  * a touch dips the poi. The poi must be polled before the fan and the buttons. */
 #pragma once
 
-#include "drivers/pointer/pointer_aid.h"
 #include "drivers/pointer/pointer_poi.h"
 #include "drivers/pointer/touch_fingers.h"
 #include "platform/hal.h"

@@ -117,6 +117,30 @@ float pointer_dip_slant_rad(float speed_m_s)
                             : DIP_SLANT_UP_RAD * f_min(1.0f, speed_m_s / DIP_SLANT_UP_M_S);
 }
 
+/* ---- Aid ------------------------------------------------------------------------------------- */
+
+void pointer_aid_apply(struct pointer_aid *aid, bool scoops, struct pointer_report *report)
+{
+    CORE_ASSERT(aid->reach_percent == 0 ||
+                (aid->reach_percent >= POINTER_REACH_MIN_PERCENT && aid->reach_percent <= 100u));
+    const bool is_pressed = (report->buttons & POINTER_DIP) != 0;
+    const bool begins = is_pressed && !aid->is_pressed;
+    aid->is_down = aid->clicks && scoops ? aid->is_down != begins : is_pressed;
+    aid->is_pressed = is_pressed;
+    report->buttons &= ~(uint32_t)POINTER_DIP;
+    report->buttons |= aid->is_down ? (uint32_t)POINTER_DIP : 0u;
+    if (aid->reach_percent != 0) {
+        const float height = (float)report->height_px;
+        const float up = height - report->y_px;
+        report->y_px = height - up * 100.0f / (float)aid->reach_percent;
+    }
+}
+
+void pointer_aid_raise(struct pointer_aid *aid)
+{
+    aid->is_down = false;
+}
+
 /* ---- Poi ------------------------------------------------------------------------------------- */
 
 /* Time constant that smooths the notches of the wheel. `tilt_rad` reaches `tilt_goal_rad` after

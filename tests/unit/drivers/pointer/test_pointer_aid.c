@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/pointer/pointer_aid.h"
+#include "drivers/pointer/pointer_poi.h"
 #include "tests/unit/support/pointer.h"
 
 /* Returns true if the ring is down after a report with the dip button pressed or released. */
