@@ -144,11 +144,12 @@ $(BUILD)/tests/sizes: $(BUILD)/tests/sizes.o
 FORMATTER := clang-format-19
 TIDY := clang-tidy-19
 
-## test/lint: Check format, line length, shell scripts, pages and the drawing
+## test/lint: Check format, line lengths, shell scripts, pages and the drawing
 lint:
 	@board/setup.sh dev
 	@shellcheck --severity=warning $$(git ls-files '*.sh') .ci/run && echo '  ok    shellcheck'
 	@tests/boundaries/columns.sh && echo '  ok    100 columns'
+	@! $(MAKE) --no-print-directory help | LC_ALL=C.UTF-8 grep -E '^.{101,}' && echo '  ok    help in 100 columns'
 	@tests/boundaries/pages.sh && echo '  ok    pages'
 	@tests/boundaries/format.sh $(FORMATTER)
 	+@$(MAKE) --no-print-directory -j$(JOBS) build

@@ -20,7 +20,7 @@ shot: $(BUILD)/tests/render/shot
 	@mkdir -p out
 	@$< $(ARGS)
 
-## picture/gallery: Draw twelve fixed scenes in out/gallery; BEFORE=DIR measures the difference
+## picture/gallery: Draw twelve fixed scenes in out/gallery; BEFORE=DIR: the difference
 gallery: $(BUILD)/tests/render/shot $(BUILD)/tests/v3d/gl_trace.so
 	@tests/render/gallery.sh $(BUILD) out/gallery
 	@[ -z "$(BEFORE)" ] || tests/render/gallery.py $(BEFORE) out/gallery out/gallery-crops

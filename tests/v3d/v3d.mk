@@ -6,7 +6,7 @@ $(GL_TRACE): tests/v3d/gl_trace.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) -std=c17 -O1 -Wall -Wextra -shared -fPIC -o $@ $<
 
-## measure/bench-v3d: Estimate a frame on Raspberry Pi 4 and 5 with Mesa's compiler (builds Mesa)
+## measure/bench-v3d: Estimate a frame on Raspberry Pi 4 and 5 (builds Mesa's compiler)
 bench-v3d:
 	@tests/v3d/build.sh $(BUILD)/v3d
 	@tests/v3d/bench.sh $(BUILD)/v3d $(SCENES)
