@@ -253,11 +253,19 @@ static void test_a_fish_that_falls_off_a_lost_poi_is_no_foul(void **state)
         input.poi[0].link = links[i];
         drop_a_fish(0);
         assert_int_equal(look()->player[0].fouls, 0);
+        assert_int_equal(scene.caught[0], 0);
+        /* A fish that was wholly above the water counts, although the controller is lost. */
+        play(MODE_CHAMPIONSHIP);
+        input.poi[0].link = links[i];
+        drop_a_fish(CARRIED_CLEAR_TICKS);
+        assert_int_equal(look()->player[0].fouls, 0);
+        assert_int_equal(scene.caught[0], 1);
     }
     play(MODE_CHAMPIONSHIP);
     drop_a_fish(0);
     /* The player controls this poi, so the drop of the fish is a foul. */
     assert_int_equal(look()->player[0].fouls, 1);
+    assert_int_equal(scene.caught[0], 0);
 }
 
 static void test_no_fish_counts_after_the_third_foul(void **state)
