@@ -218,7 +218,7 @@ static void apply_obstacle_reactions(struct core *core, const struct obstacle *o
 static void tick_fish(struct core *core, const struct input *input)
 {
     CORE_ASSERT(core->world.tank.preset < TANK_PRESET_COUNT);
-    const uint8_t has_pump = tank_preset(core->world.tank.preset)->pump;
+    const bool has_pump = tank_preset(core->world.tank.preset)->pump;
     core->world.tank.oxygen.pump = has_pump && game_pumps(&core->game, core->game.tick);
     struct obstacle obstacles[TANK_OBSTACLE_MAX];
     const uint32_t count = gather_obstacles(core, obstacles);

@@ -122,12 +122,12 @@ static int open_file(int folder, int flags)
 
 static bool parse(struct panics *panics, const uint8_t bytes[PANICS_SIZE])
 {
-    const uint32_t is_early = replay_get_u32(bytes + AT_EARLY);
+    const uint32_t early = replay_get_u32(bytes + AT_EARLY);
     *panics = (struct panics){
         .total = replay_get_u32(bytes + AT_TOTAL),
         .left = replay_get_u32(bytes + AT_LEFT),
         .left_boot = replay_get_u64(bytes + AT_LEFT_BOOT),
-        .is_early = is_early == 1,
+        .is_early = early == 1,
         .count = replay_get_u32(bytes + AT_COUNT),
         .attempt = replay_get_u32(bytes + AT_ATTEMPT),
     };
@@ -135,7 +135,7 @@ static bool parse(struct panics *panics, const uint8_t bytes[PANICS_SIZE])
         panics->recent[i].boot = replay_get_u64(bytes + AT_RECENT + i * RECENT_SIZE);
         panics->recent[i].up_s = replay_get_u32(bytes + AT_RECENT + i * RECENT_SIZE + 8u);
     }
-    return memcmp(bytes, MAGIC, 8) == 0 && panics->left < LEFT_COUNT && is_early <= 1 &&
+    return memcmp(bytes, MAGIC, 8) == 0 && panics->left < LEFT_COUNT && early <= 1 &&
            panics->count <= PANICS_RECENT && panics->attempt < LEFT_COUNT &&
            replay_get_u64(bytes + AT_SUM) == hash_bytes(HASH_START, bytes, AT_SUM);
 }

@@ -83,12 +83,12 @@ static bool has_folder_left(const struct storage *storage)
 
 bool storage_has_moved(struct storage *storage)
 {
-    int has_moved = 0;
+    int moved = 0; /* SQLite writes an int. */
     if (storage->how.vfs || !storage->file.db) {
         return false;
     }
-    sqlite3_file_control(storage->file.db, "main", SQLITE_FCNTL_HAS_MOVED, &has_moved);
-    bool result = has_moved != 0 || has_folder_left(storage);
+    sqlite3_file_control(storage->file.db, "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+    bool result = moved != 0 || has_folder_left(storage);
     for (size_t i = 0; i < STORAGE_PLACES; i++) {
         result = has_left(storage, i) || result;
     }

@@ -21,8 +21,8 @@
 struct stroke {
     float from_x, from_y, to_x, to_y, width;
     uint32_t colour;
-    /* 1 if the stroke is also drawn mirrored on the other side of the figure, otherwise 0. */
-    uint8_t is_pair;
+    /* True if the stroke is also drawn mirrored on the other side of the figure. */
+    bool is_pair;
 };
 
 #define POI_SIZE 0.085f /* Radius of the poi as a share of an adult's height. */
@@ -124,7 +124,7 @@ void ui_level_figure(const struct ui_frame *frame, float x, float y, float heigh
                 1.0f, RED);
     for (uint32_t i = 0; i < FIGURE_STROKES_MAX && figure->strokes[i].width > 0.0f; i++) {
         const struct stroke *stroke = &figure->strokes[i];
-        for (uint32_t k = 0; k <= stroke->is_pair; k++) {
+        for (uint32_t k = 0; k < (stroke->is_pair ? 2u : 1u); k++) {
             const float side = k == 0 ? height : -height;
             const float from[2] = { x + stroke->from_x * side, y - stroke->from_y * height };
             const float to[2] = { x + stroke->to_x * side, y - stroke->to_y * height };
