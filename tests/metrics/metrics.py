@@ -519,8 +519,8 @@ def measure_names(table, product, functions):
 
 def measure_paths(table, root, sources):
     paths, stale = read_paths(root, sources)
-    for name, high, what in (('poi', 30, 'files from a poi report on USB to the picture'),
-                             ('coin', 26, 'files from a coin to the disk')):
+    for name, high, what in (('poi', 28, 'files from a poi report on USB to the picture'),
+                             ('coin', 24, 'files from a coin to the disk')):
         table.add(what, len(paths[name]), (1, high), ranked(collections.Counter(map(folder_of, paths[name]))))
     table.add('lines of paths.txt that no longer hold', len(stale), (None, 0), stale)
 
