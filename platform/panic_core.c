@@ -11,7 +11,7 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
     panic_put(&text, file);
     panic_put(&text, ":");
     panic_put_number(&text, (uint32_t)line);
-    panic_put(&text, ": not so: ");
+    panic_put(&text, ": assertion failed: ");
     panic_put(&text, condition);
     panic_report(text.out);
     abort();

@@ -109,7 +109,7 @@ static bool is_controller_ready(void *self)
 }
 
 _Static_assert(GAMEPADS_EXCLUSION_MAX >= USB_REQUEST_MAX + CONTROLLER_MAX,
-               "every one of both finds room");
+               "the list of exclusions has too few entries");
 
 /* Copies two groups of USB controllers to `out`, which SDL must not open: the selected controllers,
  * and the controllers that are in use or were disconnected. Returns the number of controllers in

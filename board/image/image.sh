@@ -33,7 +33,7 @@ settle() { # FOLDER
         "$version" "$board" "$version" >"$root/etc/os-release.new"
     mv "$root/etc/os-release.new" "$root/etc/os-release"
     ln -s /usr/lib/systemd/system/kingyo-data.service "$root/etc/systemd/system/multi-user.target.wants/"
-    # Nobody can log in: no console shows a prompt, no user has a password, and there is no network.
+    # No user can log in: no console shows a prompt, no user has a password, and there is no network.
     for unit in getty.target getty@.service serial-getty@.service autovt@.service console-getty.service \
         container-getty@.service debug-shell.service emergency.service rescue.service \
         ctrl-alt-del.target systemd-logind.service systemd-networkd.service systemd-networkd.socket \

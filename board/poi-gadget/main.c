@@ -22,7 +22,7 @@
 /* Reports a failed assertion. */
 _Noreturn void core_panic(const char *condition, const char *file, int line)
 {
-    print_error("kingyo-poi: %s:%d: not so: %s", file, line, condition);
+    print_error("kingyo-poi: %s:%d: assertion failed: %s", file, line, condition);
     abort();
 }
 

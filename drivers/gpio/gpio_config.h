@@ -21,7 +21,7 @@
  *
  * coin-lockout drives the coil of a coin lock, which admits coins only while the coil has current.
  * When the kiosk program ends for any reason, most chips turn the coin-lockout line into an input.
- * Only the bias then sets the level of the line. The bias must lock the coin lock, because nobody
+ * Only the bias then sets the level of the line. The bias must lock the coin lock, because no one
  * counts coins while the program is not running.
  *
  * Pure: uses no device and no clock. */

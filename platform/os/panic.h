@@ -16,9 +16,9 @@
 /* Installs the signal handlers. The calling thread gets a separate signal stack, because its normal
  * stack may have overflowed when a signal arrives. The other threads get their signal stacks from
  * thread_start(), and SDL's audio thread from audio.c. `handler` is the panic handler. It is called
- * with `self` and with the reason, which is "FILE:LINE: not so: CONDITION" or the name of the
- * signal. The panic handler must report the reason and may call async-signal-safe functions only.
- * If `handler` is null, panic_report() writes one line to standard error. */
+ * with `self` and with the reason, which is "FILE:LINE: assertion failed: CONDITION" or the name of
+ * the signal. The panic handler must report the reason and may call async-signal-safe functions
+ * only. If `handler` is null, panic_report() writes one line to standard error. */
 void panic_prepare(void (*handler)(void *self, const char *reason), void *self);
 
 /* Calls the panic handler that panic_prepare() has installed, or writes one line if there is no

@@ -109,7 +109,7 @@ static int read_start(struct replay_reader *reader, size_t size)
     if (!replay_initial_state_decode(&reader->header.config, reader->bytes, size,
                                      reader->header.version)) {
         return replay_reader_error(reader, 0, reader->offset,
-                                   "the start says what this program never writes");
+                                   "the start has a value that this program never writes");
     }
     reader->offset += size + REPLAY_SUM_SIZE;
     return 0;
@@ -167,7 +167,7 @@ static int read_header(struct replay_reader *reader)
     reader->offset = REPLAY_HEADER_SIZE;
     if (!is_possible(bytes)) {
         return replay_reader_error(reader, 0, HEADER_SIZE_FIELD,
-                                   "the header says what this program never writes");
+                                   "the header has a value that this program never writes");
     }
     const uint32_t book_size = replay_get_u32(bytes + HEADER_BOOK);
     reader->digest_ticks = replay_get_u32(bytes + HEADER_DIGEST_TICKS);
@@ -301,7 +301,7 @@ static int read_part(struct replay_reader *reader)
         return read_chunk(reader);
     }
     return replay_reader_error(reader, 0, reader->offset,
-                               "neither a second nor the end mark stands here");
+                               "neither a chunk nor the end mark begins here");
 }
 
 int replay_next(struct replay_reader *reader, struct input *input)
@@ -323,7 +323,7 @@ int replay_next(struct replay_reader *reader, struct input *input)
     const size_t digest_size = (reader->tick + 1u) % reader->digest_ticks == 0 ? 4 : 0;
     const uint64_t at = reader->offset + REPLAY_CHUNK_HEAD_SIZE + reader->payload_used;
     if (used == 0 || left - used < digest_size) {
-        return replay_reader_error(reader, 0, at, "tick %u says what no recorder writes",
+        return replay_reader_error(reader, 0, at, "tick %u has a value that no recorder writes",
                                    reader->tick);
     }
     reader->has_digest = digest_size > 0;

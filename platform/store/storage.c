@@ -72,7 +72,7 @@ static const char *storage_describe(void *self)
     if (!atomic_load(&storage->has_file)) {
         if (error == LEDGER_FILE_FOREIGN) {
             set_text(storage, "no store", "the card is there now, and not empty",
-                     "a restart, once nobody plays");
+                     "the kiosk restarts when idle");
         }
         return storage->text[0] ? storage->text : "no store: not opened";
     }

@@ -48,7 +48,7 @@ reports_damage() {
         "$root/assets/species/wakin.txt" >"$work/sunk.txt"
     morph check "$work/sunk.txt" --steps 200 >"$work/text"
     [ $? = 1 ] || { cat "$work/text"; return 1; }
-    grep -q '^not so (near): fin deeper than its root.* at progress .* (pectoral)' "$work/text"
+    grep -q '^check failed (near): fin deeper than its root.* at progress .* (pectoral)' "$work/text"
 }
 check 'a damaged drawing fails, and the error names the flaw and its position' reports_damage
 

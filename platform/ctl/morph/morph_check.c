@@ -121,7 +121,7 @@ static void print_faults(enum column column)
         if (is_so(row, survey)) {
             continue;
         }
-        printf("not so (%s): %s", column_names[column], row->title);
+        printf("check failed (%s): %s", column_names[column], row->title);
         print_number(row, survey);
         /* Appends the position of the value to the row, for example " at progress 0.431, vertex 312
          * (eye)". */

@@ -78,7 +78,7 @@ static const struct key keys[] = {
     REAL(reaction_max_s, 0.15, 1.0, "longest reaction time"),
 };
 #define KEY_COUNT (sizeof keys / sizeof keys[0])
-_Static_assert(sizeof(struct technique) == 68, "a new field of a technique wants a key");
+_Static_assert(sizeof(struct technique) == 68, "a new field needs an entry in `keys`");
 
 /* Returns the number of the key called `name`, or KEY_COUNT if there is no such key. */
 static uint32_t find_key(const char *name)

@@ -152,7 +152,7 @@ int ledger_log_result(const struct ledger_file *file, int code)
 
 /* ---- Replays and old data ------------------------------------------------------------------ */
 
-_Static_assert(LEDGER_FILE_ENTRIES == 32768u && LEDGER_FILE_ROUNDS == 65536u, "as sql_prune says");
+_Static_assert(LEDGER_FILE_ENTRIES == 32768u && LEDGER_FILE_ROUNDS == 65536u, "sql_prune differs");
 
 int ledger_file_prune(struct ledger_file *file)
 {

@@ -310,7 +310,7 @@ void menu_ranking(const struct ui_frame *frame)
     }
     if (!(tags & 1u)) {
         menu_note(frame, canvas_box(160, 320, 960, 60), canvas_box(60, 600, 734, 60),
-                  ui_body(frame, 30.0f, MENU_NOTE), ui_words(frame, TEXT_RANKING_NOBODY));
+                  ui_body(frame, 30.0f, MENU_NOTE), ui_words(frame, TEXT_RANKING_EMPTY));
     }
 }
 
