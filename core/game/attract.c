@@ -42,13 +42,8 @@ void attract_tick(struct game *game, struct world *world, struct core_config *co
         game->bowl_is_left =
             table_setup_bowl_is_left(world, config, input->poi[dipped].target.position_m.x);
     }
-    /* The picture fades to dark after the last game of a session, and no further game may start in
-     * this session. */
-    const bool fades =
-        game->tick - game->phase_tick < SESSION_FADE_TICKS && session_must_end(game, config);
-    const bool is_start = (input->pressed & INPUT_START) || dipped < POI_MAX ||
-                          credit_is_awaited(&game->accounts, config, game->tick);
-    if (is_start && !fades) {
+    if ((input->pressed & INPUT_START) || dipped < POI_MAX ||
+        credit_is_awaited(&game->accounts, config, game->tick)) {
         game_mode_select_begin(game, world, config, output);
     }
     if (game->phase != PHASE_ATTRACT) {

@@ -185,10 +185,13 @@ void game_mode_select_begin(struct game *game, struct world *world,
                             const struct core_config *config, struct output *output)
 {
     const bool plays_again = game->phase != PHASE_ATTRACT;
-    if (plays_again && session_must_end(game, config) &&
+    const bool follows_game = plays_again || game->tick - game->phase_tick < SESSION_FADE_TICKS;
+    if (follows_game && session_must_end(game, config) &&
         credit_can_play(&game->accounts.ledger, config)) {
-        game->accounts.credit.await_tick = game->tick; /* The new session then calls again. */
-        attract_begin(game, world, config);
+        game->accounts.credit.await_tick = game->tick; /* Attract mode then repeats the request. */
+        if (plays_again) {
+            attract_begin(game, world, config);
+        }
         return;
     }
     const bool is_choice = count_bits(table_setup_modes(config)) > 1u;

@@ -52,8 +52,8 @@ uint32_t game_mode_select_lead(const struct world *world);
 
 /* Handles a request to play. Without a credit the state stays unchanged. If players can choose
  * between several modes, the mode selection starts; otherwise READY starts immediately. If the
- * request comes before attract mode and the session must end, attract mode starts instead, and the
- * request is repeated in the new session. */
+ * session must end after the last game, attract mode starts instead, and repeats the request in the
+ * new session. */
 void game_mode_select_begin(struct game *game, struct world *world,
                             const struct core_config *config, struct output *output);
 

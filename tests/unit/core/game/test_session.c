@@ -243,6 +243,28 @@ static void test_games_without_attract_mode_end_the_session_after_ten_minutes(vo
     assert_int_not_equal(core.game.phase, PHASE_ATTRACT);
 }
 
+/* The result screen has led to attract mode, and START is pressed while the picture fades. */
+static void test_start_in_the_fade_after_a_game_is_kept_for_the_new_session(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 3, .fish_count = 12, .round_s = 30 };
+    struct input input = { .poi[0].link = POI_SOURCE_BOT };
+    begin(&config);
+    while (core.game.tick < SESSION_TICKS_MAX) {
+        play_games(1);
+    }
+    while (core.game.phase != PHASE_ATTRACT) {
+        tick(&core, &input, &output);
+    }
+    input.pressed = INPUT_START;
+    tick(&core, &input, &output);
+    input.pressed = 0;
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    assert_in_range(run_to_session(&input, SESSION_TICKS_MAX), 1, SESSION_FADE_TICKS);
+    tick(&core, &input, &output);
+    assert_int_not_equal(core.game.phase, PHASE_ATTRACT);
+}
+
 static void test_recordings_of_format_9_keep_their_long_session(void **state)
 {
     (void)state;
@@ -257,6 +279,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ten_minutes_of_attract_are_a_session),
         cmocka_unit_test(test_games_without_attract_mode_end_the_session_after_ten_minutes),
+        cmocka_unit_test(test_start_in_the_fade_after_a_game_is_kept_for_the_new_session),
         cmocka_unit_test(test_recordings_of_format_9_keep_their_long_session),
         cmocka_unit_test(test_a_session_depends_only_on_its_configuration_and_inputs),
         cmocka_unit_test(test_a_recently_chosen_language_survives_the_session),
