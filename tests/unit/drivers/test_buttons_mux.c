@@ -50,11 +50,18 @@ static void test_input_of_any_panel_is_reported(void **state)
     struct buttons_mux join = { 0 };
     struct button_sample sum;
     struct panel keys = {
-        .sample = { .held = INPUT_START, .pressed = INPUT_START, .quit = 1, .coin_count[0] = 1 },
+        .sample = { .held = INPUT_START,
+                    .pressed = INPUT_START,
+                    .raw = 1u << 2,
+                    .missing = INPUT_TILT,
+                    .quit = 1,
+                    .coin_count[0] = 1 },
     };
     struct panel lines = {
         .sample = { .held = INPUT_LEFT,
                     .pressed = INPUT_OK,
+                    .raw = 1u << 9,
+                    .missing = HAL_MISSING_COIN,
                     .coin_count[0] = 2,
                     .faults = 3,
                     .full_screen = 1 },
@@ -64,6 +71,8 @@ static void test_input_of_any_panel_is_reported(void **state)
     assert_int_equal(poll_join(&join, &sum), HAL_OK);
     assert_int_equal(sum.held, INPUT_START | INPUT_LEFT);
     assert_int_equal(sum.pressed, INPUT_START | INPUT_OK);
+    assert_int_equal(sum.raw, 1u << 2 | 1u << 9);
+    assert_int_equal(sum.missing, INPUT_TILT | HAL_MISSING_COIN);
     assert_int_equal(sum.coin_count[0], 3);
     assert_int_equal(sum.faults, 3);
     assert_int_equal(sum.quit, 1);

@@ -85,6 +85,15 @@ static void test_a_resting_poi_gets_the_move_hint(void **state)
     assert_int_equal(hint_after(300), HINT_MOVE);
 }
 
+static void test_the_move_hint_is_also_shown_before_the_round(void **state)
+{
+    (void)state;
+    core.game.phase = PHASE_READY;
+    assert_int_equal(hint_after(300), HINT_MOVE);
+    learn(HINT_MOVE);
+    assert_int_equal(hint_after(300), HINT_NONE);
+}
+
 static void test_a_moved_poi_gets_the_dip_hint(void **state)
 {
     (void)state;
@@ -256,6 +265,7 @@ int main(void)
         TEST(test_attract_shows_the_start_hint),
         TEST(test_the_result_shows_the_start_hint_when_a_dip_counts),
         TEST(test_a_resting_poi_gets_the_move_hint),
+        TEST(test_the_move_hint_is_also_shown_before_the_round),
         TEST(test_a_moved_poi_gets_the_dip_hint),
         TEST(test_a_fish_over_the_dipped_poi_gives_the_lift_hint),
         TEST(test_a_fish_under_the_dipped_poi_gives_no_lift_hint),

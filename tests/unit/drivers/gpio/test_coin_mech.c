@@ -146,6 +146,10 @@ static void test_a_lost_line_keeps_a_finished_coin_and_rejects_an_unfinished_one
     assert_counts(&none, 0, 0, 0, 0);
     gpio_coin_settle(&fell, 9000 * MS);
     assert_counts(&fell, 1, 0, 0, 0);
+    /* The next coin is counted, because the unfinished pulse was discarded. */
+    pulse(&falls, 3000 * MS, 50 * MS);
+    gpio_coin_settle(&falls, 9000 * MS);
+    assert_counts(&falls, 1, 0, 0, 1);
 }
 
 int main(void)

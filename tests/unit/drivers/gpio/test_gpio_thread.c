@@ -145,6 +145,41 @@ static void test_a_chip_that_disappears_is_one_fault_and_is_reopened(void **stat
     end(&fixture);
 }
 
+/* The backend may detect the loss of a chip while it reads a level or sets an output. The lines
+ * must count as missing at once, because the thread requests only missing lines again. */
+static void test_the_lines_of_a_lost_chip_are_missing_at_once(void **state)
+{
+    (void)state;
+    static const struct gpio_sim_event events[] = { { .time_ns = 300 * MS,
+                                                      .what = GPIO_SIM_GONE } };
+    static struct fixture fixture;
+    PLAY(&fixture, events);
+    run_until(&fixture, 200);
+    assert_int_equal(fixture.sum.missing, 0);
+    gpio_lines_sim_pass(&fixture.sim, 200 * MS);
+    gpio_thread_lose(&fixture.gpio);
+    poll(&fixture);
+    assert_int_equal(fixture.sum.missing & (INPUT_START | INPUT_DOOR | HAL_MISSING_COIN),
+                     INPUT_START | INPUT_DOOR | HAL_MISSING_COIN);
+    assert_int_equal(fixture.sum.faults, 1);
+    end(&fixture);
+}
+
+/* The thread reads all levels regularly, so that an edge that the kernel does not report changes
+ * the button a little later. */
+static void test_a_level_without_an_edge_is_detected(void **state)
+{
+    (void)state;
+    static struct fixture fixture;
+    plug_in(&fixture, NULL, 0);
+    begin(&fixture);
+    run_until(&fixture, 200);
+    fixture.sim.lines[GPIO_DOOR].level = 1;
+    run_until(&fixture, 500);
+    assert_int_equal(fixture.sum.held, INPUT_DOOR);
+    end(&fixture);
+}
+
 static void test_each_missing_line_is_named_and_counted_as_a_fault(void **state)
 {
     (void)state;
@@ -205,6 +240,8 @@ int main(void)
         cmocka_unit_test(test_edges_that_the_queue_dropped_are_faults_and_the_level_is_correct),
         cmocka_unit_test(test_no_level_is_accepted_while_edges_are_unread),
         cmocka_unit_test(test_a_chip_that_disappears_is_one_fault_and_is_reopened),
+        cmocka_unit_test(test_the_lines_of_a_lost_chip_are_missing_at_once),
+        cmocka_unit_test(test_a_level_without_an_edge_is_detected),
         cmocka_unit_test(test_each_missing_line_is_named_and_counted_as_a_fault),
         cmocka_unit_test(test_a_busy_line_is_reported_and_requested_again_when_it_is_free),
     };

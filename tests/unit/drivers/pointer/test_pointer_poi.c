@@ -64,6 +64,22 @@ static void test_press_lowers_and_release_lifts_the_ring_in_the_set_times(void *
     assert_float_equal(after(&pointer, 1000 + UP_MS + 1).position_m.y, DIP_HOVER_M, 1e-5f);
 }
 
+/* The acceleration must continue at the start of a stroke that interrupts another stroke. */
+static void test_the_acceleration_of_a_stroke_is_the_change_of_its_speed(void **state)
+{
+    (void)state;
+    struct dip dip;
+    pointer_dip_init(&dip);
+    pointer_dip_begin(&dip, 0, true);
+    assert_float_equal(pointer_dip_at(&dip, 0).acceleration_m_s2, -6.0f, 1e-4f);
+    for (uint64_t ms = 0; ms + 1u < DOWN_MS; ms++) {
+        const float from_m_s = pointer_dip_at(&dip, ms * MS).speed_m_s;
+        const float to_m_s = pointer_dip_at(&dip, (ms + 1u) * MS).speed_m_s;
+        const float middle_m_s2 = pointer_dip_at(&dip, ms * MS + MS / 2u).acceleration_m_s2;
+        assert_float_equal((to_m_s - from_m_s) * 1000.0f, middle_m_s2, 0.05f);
+    }
+}
+
 static const float places[][2] = {
     { 640.0f, 360.0f },
     { 300.0f, 250.0f },
@@ -368,6 +384,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_ring_hovers_unless_the_button_is_held),
         cmocka_unit_test(test_press_lowers_and_release_lifts_the_ring_in_the_set_times),
+        cmocka_unit_test(test_the_acceleration_of_a_stroke_is_the_change_of_its_speed),
         cmocka_unit_test(test_the_pointer_stays_over_the_rings_centre_while_the_ring_rises),
         cmocka_unit_test(test_the_ring_sinks_nearer_to_the_player_and_ends_under_the_pointer),
         cmocka_unit_test(test_on_a_page_the_ring_sinks_straight_below_the_pointer),

@@ -150,6 +150,31 @@ static void test_a_lost_poi_keeps_its_row_in_the_device_list(void **state)
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_NONE));
 }
 
+/* Two devices of the same product without serial numbers are lost. The operator excludes the device
+ * of slot 0. Slot 1 must stay reserved for the other device. */
+static void test_an_exclusion_releases_only_the_slot_of_its_device(void **state)
+{
+    (void)state;
+    const struct hid_device_list device_list = usb_transport_list(fixture.thread);
+    uint32_t plain[2];
+    for (uint32_t i = 0; i < 2; i++) {
+        plain[i] = usb_sim_plug(&plain_poi, (uint8_t)(i + 1u));
+        assert_true(fixture_open(&fixture, i, &face));
+    }
+    for (uint32_t i = 0; i < 2; i++) {
+        usb_sim_unplug(plain[i], USB_SIM_GONE);
+        assert_true(fixture_wait_state(&fixture, i, CONTROLLER_LOST));
+    }
+    assert_string_equal(fixture_row(&fixture, 0).identity.port, "3-1");
+    assert_int_equal(device_list.ops->choose(device_list.self, 0, false), HAL_OK);
+    assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_NONE));
+    usb_sim_plug(&unbound_poi, 5);
+    assert_true(fixture_open(&fixture, 0, &face));
+    usb_sim_plug(&unbound_poi, 6);
+    assert_true(fixture_open(&fixture, 2, &face));
+    assert_string_equal(face.identity.port, "3-6");
+}
+
 static void test_a_close_waits_for_late_transfers(void **state)
 {
     (void)state;
@@ -232,6 +257,7 @@ int main(void)
         BENCH(test_a_device_returns_after_an_unplug_at_each_of_1000_reports),
         BENCH(test_reports_that_arrive_before_an_unplug_are_a_prefix_of_those_sent),
         BENCH(test_a_lost_poi_keeps_its_row_in_the_device_list),
+        BENCH(test_an_exclusion_releases_only_the_slot_of_its_device),
         BENCH(test_a_close_waits_for_late_transfers),
         BENCH(test_the_thread_waits_for_all_transfers_before_it_ends),
         BENCH(test_a_device_that_is_unplugged_during_the_open_is_released),

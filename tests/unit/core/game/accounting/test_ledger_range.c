@@ -123,7 +123,7 @@ static struct ledger_entry bad_round(uint32_t which)
         entry.round.players = 0xff;
         break;
     case 12:
-        entry.round.preset = 255;
+        entry.round.preset = TANK_PRESET_COUNT;
         break;
     case 13:
         entry.round.by_bot = 2;
@@ -409,6 +409,9 @@ static void test_the_core_and_the_replay_reject_a_state_that_is_out_of_range(voi
     late.session.tick = 120;
     late.session.ledger = core.game.accounts.ledger;
     late.session.ledger.store_came_late = 1;
+    /* These are the largest valid values. core_init() accepts them at the end of the test. */
+    late.persistent.ranking.row[1][2][3].round_id = LEDGER_ID_MAX;
+    late.session.credit.pending_coins[0].units = 2u * BALANCE_MAX;
     for (size_t i = 0; i < 13; i++) {
         bad[i] = late;
     }

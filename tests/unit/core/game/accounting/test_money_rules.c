@@ -79,6 +79,16 @@ static void test_a_round_between_two_coins_resets_the_bonus_count(void **state)
     assert_int_equal(balance_credits(&core), 3);
 }
 
+static void test_a_bonus_of_one_unit_is_given_for_each_unit(void **state)
+{
+    (void)state;
+    core.config.persistent.settings.value[SET_BONUS_UNITS] = 1;
+    drop(PRICE);
+    assert_int_equal(balance()->paid, 1u + PRICE);
+    assert_int_equal(balance()->bonus_units, 0);
+    assert_int_equal(balance_audit(&core, AUDIT_CREDITS_BONUS), PRICE);
+}
+
 static void test_coins_inserted_before_a_bonus_was_configured_earn_none(void **state)
 {
     (void)state;
@@ -147,6 +157,46 @@ static void test_a_free_round_with_a_lost_poi_gives_no_refund(void **state)
     }
     assert_int_equal(balance()->open, PAYMENT_NONE);
     assert_int_equal(balance_count(&output, LEDGER_BEGIN), 1);
+}
+
+/* ---- Date and time of ledger entries --------------------------------------------------------- */
+
+/* Asserts that the audit counter `id` has the name `name`. */
+static void expect_name(uint32_t id, const char *name)
+{
+    char found[AUDIT_NAME_SIZE];
+    audits_name(id, found);
+    assert_string_equal(found, name);
+}
+
+static void test_a_sold_round_has_its_time_in_the_ledger_and_in_the_audits(void **state)
+{
+    (void)state;
+    input.day = 9800; /* 2026-10-31, a Saturday. */
+    input.minute = 23u * 60u + 59u;
+    drop(PRICE);
+    press(INPUT_START);
+    steps(2);
+    assert_int_equal(balance()->open, PAYMENT_PAID);
+    for (uint32_t id = output.entry_id - 2u; id <= output.entry_id; id++) {
+        assert_int_equal(balance_entry(&output, id)->day, 9800);
+        assert_int_equal(balance_entry(&output, id)->minute, 23u * 60u + 59u);
+    }
+    for (uint32_t id = AUDIT_HOUR; id < AUDIT_BOOTS; id++) {
+        assert_int_equal(balance_audit(&core, id),
+                         id == AUDIT_HOUR + 23u || id == AUDIT_WEEKDAY + 5);
+    }
+}
+
+static void test_the_names_of_hours_and_weekdays_have_no_leading_zero(void **state)
+{
+    (void)state;
+    expect_name(AUDIT_HOUR, "hour-0");
+    expect_name(AUDIT_HOUR + 9, "hour-9");
+    expect_name(AUDIT_HOUR + 10, "hour-10");
+    expect_name(AUDIT_HOUR + 23, "hour-23");
+    expect_name(AUDIT_WEEKDAY, "weekday-1");
+    expect_name(AUDIT_WEEKDAY + 6, "weekday-7");
 }
 
 /* ---- The ledger ring and the store ---------------------------------------------------------- */
@@ -292,11 +342,14 @@ int main(void)
 #define TEST(test) cmocka_unit_test_setup_teardown(test, open_paid, close_stand)
     const struct CMUnitTest tests[] = {
         TEST(test_coins_inserted_before_a_bonus_was_configured_earn_none),
+        TEST(test_a_bonus_of_one_unit_is_given_for_each_unit),
         TEST(test_a_round_between_two_coins_resets_the_bonus_count),
         TEST(test_a_coin_in_free_play_gives_no_credit_after_a_price_is_set),
         TEST(test_credits_expire_only_after_all_entries_are_stored),
         TEST(test_an_unstored_service_credit_is_not_spent),
         TEST(test_a_free_round_with_a_lost_poi_gives_no_refund),
+        TEST(test_a_sold_round_has_its_time_in_the_ledger_and_in_the_audits),
+        TEST(test_the_names_of_hours_and_weekdays_have_no_leading_zero),
         TEST(test_no_round_is_sold_without_room_for_its_end_entry),
         TEST(test_coins_leave_room_for_the_end_of_a_round),
         TEST(test_a_store_silent_for_two_seconds_closes_the_coin_slot),

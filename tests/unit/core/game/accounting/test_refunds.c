@@ -132,13 +132,20 @@ static void test_a_round_cut_before_two_thirds_is_refunded_and_not_scored(void *
     }
 }
 
+/* The rounds are paid with coins, with a service credit, or free of charge in turn. */
 static void test_a_round_cut_after_two_thirds_keeps_score_and_tickets(void **state)
 {
-    for (size_t i = 0; i < WAYS; i++) {
+    for (size_t i = 0; i < 3u * WAYS; i++) {
         setup_refunds(state);
-        drop(PRICE);
+        if (i / WAYS == 0) {
+            drop(PRICE);
+        } else if (i / WAYS == 1) {
+            press(INPUT_SERVICE);
+        } else {
+            core.config.credit_coins = 0;
+        }
         play(SPENT_TICKS + 10u);
-        ways[i]();
+        ways[i % WAYS]();
         expect_kept(0);
     }
 }

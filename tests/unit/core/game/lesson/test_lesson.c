@@ -246,6 +246,7 @@ test_the_ghost_dips_beside_a_fish_glides_under_it_and_carries_it_to_the_bowl(voi
     assert_true(shown.ghost.position_m.y < fish_m.y);
     assert_in_range((int)(1000.0f * gap_m(shown.ghost.position_m, fish_m)), 45, 75);
     assert_true(shown.ghost.angles.pitch_rad < -0.5f);
+    assert_float_equal(shown.ghost.opacity, 1.0f, 0.01f);
     core.game.phase = PHASE_ROUND; /* The ghost continues in the round, whose clock runs. */
     ghost_after(132);              /* 2.6 s: under the fish, with level paper. */
     assert_true(gap_m(shown.ghost.position_m, fish_m) < 0.01f);
@@ -255,6 +256,8 @@ test_the_ghost_dips_beside_a_fish_glides_under_it_and_carries_it_to_the_bowl(voi
     assert_true(shown.ghost.carries && shown.ghost.position_m.y > 0.03f);
     ghost_after(150); /* 4.65 s: over the bowl. */
     assert_true(gap_m(shown.ghost.position_m, bowl_m) < 0.01f);
+    assert_float_equal(shown.ghost.opacity, 1.0f, 0.01f); /* The fade-out begins now. */
+    assert_in_range((int)(100.0f * ghost_after(24)->opacity), 20, 60);
     assert_false(ghost_after(60)->is_present);
 }
 
@@ -383,6 +386,7 @@ static void test_the_hints_to_move_and_to_dip_wait_for_four_seconds(void **state
     (void)state;
     assert_int_equal(hint_after(470), HINT_NONE);
     assert_int_equal(hint_after(30), HINT_MOVE);
+    assert_true(shown.hint_s >= 0.0f && shown.hint_s <= 30.0f * CORE_TICK_S);
     core.world.poi[0].velocity_m_s = v3(0.3f, 0.0f, 0.0f);
     hint_after(240);
     core.world.poi[0].velocity_m_s = v3(0.0f, 0.0f, 0.0f);

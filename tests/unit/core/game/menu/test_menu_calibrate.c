@@ -272,6 +272,27 @@ static void test_a_calibration_can_be_undone_redone_and_removed(void **state)
     assert_memory_equal(&stall.core.config.persistent.settings, &set, sizeof set);
 }
 
+static void test_the_page_offers_only_connected_pois(void **state)
+{
+    (void)state;
+    open_page();
+    assert_int_equal(calibrate()->slot, 0);
+    assert_false(menu_enabled(menu()) >> CALIBRATE_NEXT & 1u);
+    stall.input.poi[2] = stall.input.poi[0];
+    step();
+    assert_true(menu_enabled(menu()) >> CALIBRATE_NEXT & 1u);
+    take(CALIBRATE_NEXT);
+    assert_int_equal(calibrate()->slot, 2);
+    take(CALIBRATE_BACK);
+    /* The selected poi is unplugged, so the page opens with the other poi. */
+    stall.input.poi[2].link = POI_SOURCE_ABSENT;
+    step();
+    take(menu_tag_of(MENU_CALIBRATION));
+    assert_int_equal(menu()->page, MENU_CALIBRATION);
+    assert_int_equal(calibrate()->slot, 0);
+    assert_false(menu_enabled(menu()) >> CALIBRATE_NEXT & 1u);
+}
+
 static void test_a_rejected_calibration_changes_nothing(void **state)
 {
     (void)state;
@@ -370,6 +391,7 @@ int main(void)
         cmocka_unit_test_setup(test_an_incomplete_calibration_after_a_power_cut_is_not_used, setup),
         cmocka_unit_test_setup(test_an_incomplete_calibration_is_shown_and_can_be_removed, setup),
         cmocka_unit_test_setup(test_a_calibration_can_be_undone_redone_and_removed, setup),
+        cmocka_unit_test_setup(test_the_page_offers_only_connected_pois, setup),
         cmocka_unit_test_setup(test_a_rejected_calibration_changes_nothing, setup),
         cmocka_unit_test_setup(test_only_a_rest_after_a_movement_counts_as_a_mark, setup),
         cmocka_unit_test_setup(test_a_moving_poi_activates_no_tag, setup),

@@ -261,6 +261,21 @@ static void test_another_players_poi_enters_nothing(void **state)
     assert_int_equal(core.game.name.letter_count, 1);
 }
 
+static void test_the_next_players_poi_highlights_its_key_at_once(void **state)
+{
+    (void)state;
+    const uint32_t caught[2] = { 5, 3 };
+    play(2, caught);
+    begin_name_entry();
+    lead(1, NAME_DONE, 0.04f);
+    assert_int_equal(core.game.name.slot, 0);
+    dip_at(0, NAME_DONE);
+    assert_int_equal(core.game.name.slot, 1);
+    steps(NAME_SEEN_TICKS);
+    /* The poi of the next player is over the key that the previous player has pressed. */
+    assert_int_equal(core.game.name.key, NAME_DONE);
+}
+
 static void test_the_dip_that_ended_the_result_enters_nothing(void **state)
 {
     (void)state;
@@ -535,6 +550,7 @@ int main(void)
         NAMED(test_dips_enter_a_name),
         NAMED(test_a_poi_and_the_buttons_reach_every_cell_and_key),
         NAMED(test_another_players_poi_enters_nothing),
+        NAMED(test_the_next_players_poi_highlights_its_key_at_once),
         NAMED(test_the_dip_that_ended_the_result_enters_nothing),
         NAMED(test_a_held_button_repeats_and_a_tap_does_not),
         NAMED(test_a_full_name_accepts_no_letter_and_selects_done),

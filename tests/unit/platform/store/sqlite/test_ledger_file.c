@@ -249,16 +249,19 @@ static void test_the_aggregates_on_disk_match_those_of_the_core(void **state)
 {
     (void)state;
     static struct persistent_state sums, found;
-    struct ledger_entry entries[12];
-    for (uint32_t i = 0; i < 12; i++) {
-        entries[i] = i % 3 == 0 ? full_entry(i + 1, (uint8_t)(LEDGER_BOOT + i))
-                                : round_entry(i + 1, (uint8_t)(i % 2), i, 20 - i);
+    struct ledger_entry entries[13];
+    for (uint32_t i = 0; i < 13; i++) {
+        entries[i] = i % 3 == 0 && i < 12 ? full_entry(i + 1, (uint8_t)(LEDGER_BOOT + i))
+                                          : round_entry(i + 1, (uint8_t)(i % 2), i, 20 - i);
+        /* The last entry is of the next day, so it clears the leaderboards of the day. */
+        entries[i].day = i == 12 ? 9822 : 9821;
         audits_note(&sums.audits, &entries[i]);
         ranking_note(&sums.ranking, &entries[i]);
     }
     open_file();
     assert_int_equal(ledger_file_write(&file, entries, 5), SQLITE_OK);
     assert_int_equal(ledger_file_write(&file, entries + 5, 7), SQLITE_OK);
+    assert_int_equal(ledger_file_write(&file, entries + 12, 1), SQLITE_OK);
     reopen();
     ledger_content_load(&file.content, &found);
     assert_memory_equal(&found.audits, &sums.audits, sizeof sums.audits);
