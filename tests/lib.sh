@@ -15,9 +15,9 @@ check() { # TITLE COMMAND...
     local title=$1
     shift
     count=$((count + 1))
-    if "$@" >"$work/output" 2>&1; then echo "ok $count - $title"; else
+    if "$@" >"$work/check.log" 2>&1; then echo "ok $count - $title"; else
         echo "not ok $count - $title"
-        sed 's/^/# /' "$work/output"
+        sed 's/^/# /' "$work/check.log"
     fi
 }
 

@@ -37,7 +37,7 @@ if [ "$(id -u)" -eq 0 ] && unshare -m true 2>/dev/null; then
             check "${script##*/} $words changes nothing outside its folders" maintains "$script" $words
         done
     done
-    purged() { maintains board/deb/kingyo-kiosk.postrm purge && ! grep -q '^kingyo$' "$work/output"; }
+    purged() { maintains board/deb/kingyo-kiosk.postrm purge && ! grep -q '^kingyo$' "$work/check.log"; }
     check 'a purge removes the cache and follows no link' purged
 else
     skip 'the maintainer scripts change nothing outside their folders' 'no root, or no mounts'

@@ -21,13 +21,13 @@ a_liar_is_found() {
 }
 
 check 'no acknowledged entry is lost or duplicated by a power cut at any write' nothing_is_lost
-sed -n 's/^  \([0-9]* cuts in .*\)/# figure: \1/p' "$work/output"
-cp "$work/output" "$work/cuts"
+sed -n 's/^  \([0-9]* cuts in .*\)/# figure: \1/p' "$work/check.log"
+cp "$work/check.log" "$work/cuts"
 # A database that other users may read gives a warning at each of the thousands of openings, which would hide the reason
 # of a failure.
 check 'the openings after the cuts log no warning about access' bash -c '! grep "all users had access" "$1"' - "$work/cuts"
 check 'no acknowledged entry is lost when syncs, writes, truncations and renames fail' failing_calls_lose_nothing
-sed -n -e 's/^  calls that failed: \(.*\)/# figure: failed calls: \1/p' -e 's/^  \([0-9]* cuts in these .*\)/# figure: \1/p' "$work/output"
+sed -n -e 's/^  calls that failed: \(.*\)/# figure: failed calls: \1/p' -e 's/^  \([0-9]* cuts in these .*\)/# figure: \1/p' "$work/check.log"
 check 'a card whose syncs have no effect is detected' a_liar_is_found
 check 'the number of lost entries of that card is reported' grep -qE '[:,] [1-9][0-9]* (lost|unopenable)' "$work/liar"
 echo "1..$count"
