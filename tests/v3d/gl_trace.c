@@ -10,7 +10,7 @@
  * computes a vertex again if it is not among the last CACHE_SIZE vertices.
  * If the environment variable GL_TRACE_RENDERER is set, the program reads its value as the name of
  * the graphics hardware, and therefore draws with the quality for that hardware. */
-#define _GNU_SOURCE
+#define _GNU_SOURCE /* NOLINT(bugprone-reserved-identifier,cert-*): RTLD_NEXT */
 #include <ctype.h>
 #include <dlfcn.h>
 #include <inttypes.h>
@@ -109,7 +109,7 @@ void glAttachShader(GLuint program, GLuint shader)
     struct object *const to = &programs[program % OBJECT_MAX];
     to->hash = (from->is_fragment ? to->hash * HASH_PRIME : to->hash) ^ from->hash;
     if (from->is_fragment) {
-        strcpy(to->name, from->name);
+        memcpy(to->name, from->name, sizeof to->name);
         fprintf(stderr, "PROGRAM %u %016" PRIx64 " %s\n", program, to->hash, to->name);
     }
     next(program, shader);
