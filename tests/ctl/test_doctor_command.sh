@@ -1,29 +1,11 @@
 #!/bin/bash
 # test_doctor_command.sh -- `kingyoctl doctor` on a machine that is simulated by files: which
-# controllers can play, what prevents them, and the advice. The command checks the permissions of
-# the user nobody, so that the results are the same when root runs the test. Speaks TAP.
+# controllers can play, what prevents them, and the advice. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/../lib.sh"
-root=$work/root
+. "$(dirname "$0")/doctor.sh"
 good=tests/hid/good/descriptors
 unhex() { tr -d ' \n' | tr a-f A-F | basenc --base16 -d; }
-
-doctor() { "$ctl" doctor --root "$root" --user nobody --data /data "$@" >"$work/out" 2>"$work/err"; }
-# LEVEL PART WHAT STATE [ADVICE] are extended regular expressions. Exactly one finding matches all
-# of them.
-finds() {
-    doctor --json "${with[@]}"
-    sqlite3 :memory: "select * from (select json_extract(value,'\$.level') as level, json_extract(value,'\$.part'),
-        json_extract(value,'\$.what'), json_extract(value,'\$.state'), json_extract(value,'\$.todo')
-        from json_each(readfile('$work/out'), '\$.findings'))" >"$work/rows"
-    cat "$work/rows"
-    [ "$(grep -cE "^$1\|$2\|[^|]*$3[^|]*\|[^|]*$4[^|]*\|${5:-}" "$work/rows")" -eq 1 ]
-}
-with=()
-put() { # PATH TEXT: Writes TEXT into the file PATH of the simulated machine.
-    mkdir -p "$(dirname "$root/$1")"
-    printf '%s\n' "$2" >"$root/$1"
-}
 device() { # PORT CLASS VENDOR PRODUCT NUMBER NAME: Adds a USB device to the simulated machine.
     local at=sys/bus/usb/devices/$1
     put "$at/bDeviceClass" "$2"

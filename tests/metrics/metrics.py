@@ -64,6 +64,7 @@ FEATURE_LINES = {
     'the fall of a present into its bowl': 14,
     'a signal stack for the audio thread of SDL': 7,
     'the end of a session between two games, and the tick at which a file of a panic ends': 31,
+    'the memory card, and the supply, heat, HDMI socket and overlay of a Raspberry Pi in doctor': 232,
     'a bound for the rewritten part of the write-ahead log': 24,
     'pictures that are drawn once, or at low resolution (shades, reflections, counter, fan)': 156,
     'quality steps in the order in which a viewer notices them, the screen scale, and half the frame rate': 68,

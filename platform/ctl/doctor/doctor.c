@@ -129,7 +129,8 @@ static enum exit_code read_config(struct doctor_words *words, int argc, const ch
 /* ---- Running the checks ---------------------------------------------------------------------- */
 
 static void (*const checks[])(struct doctor *doctor) = {
-    doctor_usb, doctor_nodes, doctor_input, doctor_gpio, doctor_screen, doctor_sound, doctor_store,
+    doctor_usb,   doctor_nodes,  doctor_input, doctor_gpio,
+    doctor_board, doctor_screen, doctor_sound, doctor_store,
 };
 
 static enum exit_code doctor_run(int argc, const char *const *argv)
@@ -168,8 +169,8 @@ const struct ctl_command ctl_doctor = {
     .summary = "checks what is connected, what interferes, and how to solve each problem",
     .usage =
         "  kingyoctl doctor [--json] [--user NAME] [--root FOLDER] [KIOSK OPTION...]\n\n"
-        "Checks controllers, GPIO lines, permissions, drivers, display, sound, data folder\n"
-        "and database, and changes nothing. Each finding is a line: fine, look (it works, but\n"
+        "Checks controllers, GPIO lines, permissions, drivers, board, display, sound, data\n"
+        "folder and database, and changes nothing. Each finding is a line: fine, look (it works, but\n"
         "should be inspected) or WRONG, with the action to take below it.\n",
     .options = &own_table,
     .notes = "Options of the kiosk have the same effect as for the kiosk, for example\n"

@@ -91,6 +91,10 @@ void doctor_input(struct doctor *doctor);
 /* Checks the GPIO chips and the GPIO lines that the kiosk's options configure. */
 void doctor_gpio(struct doctor *doctor);
 
+/* Checks the memory card. On a Raspberry Pi, also checks throttling, the supply voltage, the HDMI
+ * socket and the names of the header's lines. */
+void doctor_board(struct doctor *doctor);
+
 /* Checks the graphics cards, and the screens that are connected to the graphics cards. */
 void doctor_screen(struct doctor *doctor);
 
@@ -120,6 +124,10 @@ struct gpio_census {
     uint32_t count, more;
     struct gpio_seen line[GPIO_CENSUS_MAX];
 };
+
+/* Fills `wires` with the lines that the kiosk's options configure. A role without a line is not
+ * wired. */
+void doctor_wires(const struct doctor *doctor, struct gpio_wire wires[GPIO_ROLE_COUNT]);
 
 /* Adds a finding for the GPIO line that `wire` configures for `role`. The finding reports whether
  * the line exists in `census`, is unused, and is the only line with its name. */

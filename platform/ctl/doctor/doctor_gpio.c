@@ -69,6 +69,16 @@ static void check_chip(struct doctor *doctor, const char *path, struct gpio_cens
 
 /* ---- Checks of the configured lines ---------------------------------------------------------- */
 
+void doctor_wires(const struct doctor *doctor, struct gpio_wire wires[GPIO_ROLE_COUNT])
+{
+    char why[HAL_TEXT_SIZE];
+    memset(wires, 0, GPIO_ROLE_COUNT * sizeof wires[0]);
+    for (uint32_t i = 0; i < doctor->options.line_count; i++) {
+        /* The result needs no check, because the option parser has already validated the text. */
+        (void)gpio_wire_read(doctor->options.line[i], wires, why);
+    }
+}
+
 /* If two chips have the same label, only the names of their lines distinguish the chips. */
 void doctor_gpio_wire(struct doctor *doctor, enum gpio_role role, const struct gpio_wire *wire,
                       const struct gpio_census *census)
@@ -115,8 +125,7 @@ void doctor_gpio_wire(struct doctor *doctor, enum gpio_role role, const struct g
 void doctor_gpio(struct doctor *doctor)
 {
     static struct gpio_census census;
-    struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
-    char why[HAL_TEXT_SIZE];
+    struct gpio_wire wires[GPIO_ROLE_COUNT];
     census.count = census.more = 0;
     struct gpio_dev_walk walk = { .root = doctor->root };
     while (gpio_dev_next(&walk)) {
@@ -132,10 +141,7 @@ void doctor_gpio(struct doctor *doctor)
             doctor_todo(none, "enable the GPIO driver, or remove the --line options");
         }
     }
-    for (uint32_t i = 0; i < doctor->options.line_count; i++) {
-        /* The result needs no check, because the option parser has already validated the text. */
-        (void)gpio_wire_read(doctor->options.line[i], wires, why);
-    }
+    doctor_wires(doctor, wires);
     for (uint32_t role = 0; role < GPIO_ROLE_COUNT; role++) {
         if (wires[role].wired) {
             doctor_gpio_wire(doctor, (enum gpio_role)role, &wires[role], &census);
