@@ -1,7 +1,7 @@
 #!/bin/bash
 # test_doctor_command.sh -- `kingyoctl doctor` on a machine that is simulated by files: which
 # controllers can play, what prevents them, and the advice. Speaks TAP.
-# shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
+# shellcheck disable=SC2034,SC2154,SC1091  # lib.sh and doctor.sh use and set these variables
 . "$(dirname "$0")/../lib.sh"
 . "$(dirname "$0")/doctor.sh"
 good=tests/hid/good/descriptors
