@@ -167,11 +167,10 @@ static enum exit_code doctor_run(int argc, const char *const *argv)
 const struct ctl_command ctl_doctor = {
     .name = name,
     .summary = "checks what is connected, what interferes, and how to solve each problem",
-    .usage =
-        "  kingyoctl doctor [--json] [--user NAME] [--root FOLDER] [KIOSK OPTION...]\n\n"
-        "Checks controllers, GPIO lines, permissions, drivers, board, display, sound, data\n"
-        "folder and database, and changes nothing. Each finding is a line: fine, look (it works, but\n"
-        "should be inspected) or WRONG, with the action to take below it.\n",
+    .usage = "  kingyoctl doctor [--json] [--user NAME] [--root FOLDER] [KIOSK OPTION...]\n\n"
+             "Checks controllers, GPIO lines, permissions, drivers, board, display, sound, data\n"
+             "folder and database, and changes nothing. Each finding is a line: fine, look (it\n"
+             "works, but should be inspected) or WRONG, with the action to take below it.\n",
     .options = &own_table,
     .notes = "Options of the kiosk have the same effect as for the kiosk, for example\n"
              "--config FILE, --data FOLDER, --usb VVVV:PPPP, --line ROLE=LINE. Exit code 1:\n"
