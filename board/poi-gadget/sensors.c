@@ -48,17 +48,13 @@ static int iio_open(const char *device_path, const char *attribute)
 static bool iio_find(char path[IIO_PATH_SIZE], const char *root, const char *name)
 {
     for (int i = 0; i < DEVICES_MAX; i++) {
-        char text[64];
+        char text[64], name_path[IIO_PATH_SIZE + sizeof "/name"];
         const int length =
             snprintf(path, IIO_PATH_SIZE, "%s/sys/bus/iio/devices/iio:device%d", root, i);
-        const int fd = length < (int)IIO_PATH_SIZE ? iio_open(path, "name") : -1;
-        if (fd >= 0) {
-            const bool got = read_text(fd, text, sizeof text);
-            close(fd);
-            text[strcspn(text, "\n")] = '\0';
-            if (got && strcmp(text, name) == 0) {
-                return true;
-            }
+        snprintf(name_path, sizeof name_path, "%s/name", path);
+        file_first_line(name_path, text, sizeof text);
+        if (length < (int)IIO_PATH_SIZE && strcmp(text, name) == 0) {
+            return true;
         }
     }
     return false;

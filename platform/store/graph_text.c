@@ -1,14 +1,12 @@
 /* graph_text.c -- formats and parses the text of a saved graph; see graph_file.h. */
 #include "core/base/panic.h"
+#include "platform/os/file.h"
 #include "platform/store/graph_file.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define LINE_SIZE 256u
 
 static const char *const templates[TEMPLATE_COUNT] = {
     [TEMPLATE_OWN] = "own",           [TEMPLATE_ORDINARY] = "ordinary",
@@ -64,11 +62,11 @@ size_t graph_file_format(const struct graph_edit_record *record, char out[GRAPH_
 /* ---- Parsing ------------------------------------------------------------------------------- */
 
 struct reading {
-    const char *text;
-    size_t size, at;
-    uint32_t line;         /* Number of the line that was read last, counted from 1. */
-    char words[LINE_SIZE]; /* Text of the line that was read last, without comment and surrounding
-                              white space. */
+    FILE *file;
+    uint32_t line; /* Number of the line that was read last, counted from 1. */
+    /* The line that was read last. No line of a saved graph is longer than a whole file. */
+    char buffer[GRAPH_FILE_TEXT_MAX + 1u];
+    const char *words; /* The line in `buffer` without comment and surrounding white space. */
     uint32_t knot_line[GRAPH_KNOT_MAX], scale_line[GRAPH_KNOT_MAX];
     char *why;
     bool is_unreadable; /* True if the file has ended or a line is malformed. `why` then has the
@@ -103,27 +101,16 @@ static bool end_reading(struct reading *reading, const char *what)
  * line. */
 static bool graph_text_next_line(struct reading *reading)
 {
-    while (reading->at < reading->size) {
-        const char *line = reading->text + reading->at;
-        const char *end = memchr(line, '\n', reading->size - reading->at);
-        const size_t size = end ? (size_t)(end - line) : reading->size - reading->at;
-        size_t length = 0;
+    enum file_line got;
+    while ((got = file_read_line(reading->file, reading->buffer, sizeof reading->buffer)) !=
+           FILE_LINE_END) {
         reading->line++;
-        reading->at += size + 1u;
-        for (size_t i = 0; i < size && line[i] != '#'; i++) {
-            if (line[i] == 0 || length + 1u == LINE_SIZE) {
-                return end_reading(reading,
-                                   line[i] == 0 ? "not a text" : "longer than any line of one");
-            }
-            if (length > 0 || !isspace((unsigned char)line[i])) {
-                reading->words[length++] = line[i];
-            }
+        if (got == FILE_LINE_BAD) {
+            return end_reading(reading, "not a text");
         }
-        while (length > 0 && isspace((unsigned char)reading->words[length - 1u])) {
-            length--;
-        }
-        reading->words[length] = 0;
-        if (length > 0) {
+        reading->buffer[strcspn(reading->buffer, "#")] = 0;
+        reading->words = file_trim(reading->buffer);
+        if (reading->words[0] != 0) {
             return true;
         }
     }
@@ -280,36 +267,47 @@ static bool check_scale(struct reading *reading, const struct lab_edit *edit)
     return true;
 }
 
-bool graph_file_parse(const char *text, size_t size, const struct species_card *card,
-                      struct lab_edit *edit, char why[GRAPH_FILE_WHY_SIZE])
+static bool read_graph(struct reading *reading, const struct species_card *card,
+                       struct lab_edit *edit)
 {
-    CORE_ASSERT(text && card->key_count <= MORPH_KEY_MAX);
-    struct reading reading = { .text = text, .size = size, .why = why };
     struct lab_edit read = { 0 };
-    why[0] = 0;
-    if (!read_head(&reading, card, &read)) {
+    if (!read_head(reading, card, &read)) {
         return false;
     }
-    while (graph_text_next_line(&reading)) {
-        const char *knot = text_after_word(&reading, "knot"),
-                   *scale = text_after_word(&reading, "scale");
-        if (strcmp(reading.words, "end") == 0) {
-            if (!check_graph(&reading, card, &read.graph) || !check_scale(&reading, &read)) {
+    while (graph_text_next_line(reading)) {
+        const char *knot = text_after_word(reading, "knot"),
+                   *scale = text_after_word(reading, "scale");
+        if (strcmp(reading->words, "end") == 0) {
+            if (!check_graph(reading, card, &read.graph) || !check_scale(reading, &read)) {
                 return false;
             }
             if (!lab_edit_is_valid(&read, card)) {
-                return graph_text_error(&reading, "no graph of %s", card->id);
+                return graph_text_error(reading, "no graph of %s", card->id);
             }
             *edit = read;
             return true;
         }
         if (knot == NULL && scale == NULL) {
-            return graph_text_error(&reading, "expected 'knot', 'scale' or 'end'");
+            return graph_text_error(reading, "expected 'knot', 'scale' or 'end'");
         }
-        if (!(knot != NULL ? read_knot(&reading, knot, card, &read.graph)
-                           : read_scale(&reading, scale, &read))) {
+        if (!(knot != NULL ? read_knot(reading, knot, card, &read.graph)
+                           : read_scale(reading, scale, &read))) {
             return false;
         }
     }
     return false;
+}
+
+bool graph_file_parse(const char *text, size_t size, const struct species_card *card,
+                      struct lab_edit *edit, char why[GRAPH_FILE_WHY_SIZE])
+{
+    CORE_ASSERT(text && card->key_count <= MORPH_KEY_MAX);
+    struct reading reading = { .file = fmemopen((void *)text, size, "r"), .why = why };
+    why[0] = 0;
+    if (!reading.file) {
+        return graph_text_error(&reading, "cannot be read");
+    }
+    const bool is_valid = read_graph(&reading, card, edit);
+    fclose(reading.file);
+    return is_valid;
 }

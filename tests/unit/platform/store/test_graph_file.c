@@ -208,6 +208,10 @@ static void test_each_graph_error_is_reported_with_its_line(void **state)
     solved[7] = '0';
     const size_t size = strlen(text);
     assert_int_equal(graph_file_parse(text, size, card, &edit, why), 1);
+    /* A comment may be longer than any other line. */
+    char commented[sizeof text + 1000u];
+    snprintf(commented, sizeof commented, "#%0999d\n%s", 0, text);
+    assert_int_equal(parse(commented, &edit, why), 1);
     text[size - 5u] = 0; /* Puts a zero byte in the place of a newline. */
     assert_int_equal(graph_file_parse(text, size, card, &edit, why), 0);
     assert_non_null(strstr(why, "8: not a text"));
