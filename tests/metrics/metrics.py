@@ -15,6 +15,9 @@ How each measure is defined:
   code lines         The count of cloc, without comments and blank lines. CODE_LINES_MAX is the bound of the tree
                      before the features of FEATURE_LINES, which had 77,977 lines. The bound of today's tree also
                      contains the lines of each of these features.
+  small files        Production files under SMALL_LINES code lines that small_files.tsv does not list with a reason, and
+                     lines of that table that name no such file. A small header needs no line if a source with the
+                     same path exists, or if at least two files include the header.
   flat folder        The number of .c and .h files that lie directly in one folder. Folders of tests count too.
   functions          Definitions that universal-ctags finds, per 1,000 lines including comments and blank lines.
   one caller         A static function whose name is used at exactly one place of its file, apart from its own
@@ -49,6 +52,7 @@ PRODUCTION = ('core', 'drivers', 'platform', 'board', 'assets')
 ALL = PRODUCTION + ('tests',)
 FORMATTER = 'clang-format-19'
 
+SMALL_LINES = 60
 CODE_LINES_MAX = 78000
 # Features that came after the bound, with the code lines that cloc counts in the commit of each.
 FEATURE_LINES = {
@@ -414,6 +418,25 @@ def measure_comments(table, product):
         table.add(what, 100 * counts[kind] / max(1, counts['all']), (None, high), lines, '{:.1f} %')
 
 
+def check_small_files(root, product, code):
+    """Small files that the table does not list, and lines of the table that name no small file."""
+    name, listed, wrong = 'tests/metrics/small_files.tsv', set(), []
+    included = collections.Counter(o for others in find_includes(product).values() for o in others)
+    small = {p for p in product if code[p] < SMALL_LINES}
+    if os.path.exists(os.path.join(root, name)):
+        with open(os.path.join(root, name), encoding='utf-8') as file:
+            for number, line in enumerate(file, 1):
+                path, _, reason = line.rstrip('\n').partition('\t')
+                if not line.startswith('#'):
+                    listed.add(path)
+                    if path not in small or not reason.strip():
+                        wrong.append(f'{name}:{number}: {path} is no file under {SMALL_LINES} lines, or has no reason')
+    for path in sorted(small - listed):
+        if path.endswith('.c') or (path[:-1] + 'c' not in product and included[path] < 2):
+            wrong.append(f'{path}: {code[path]} lines; merge the file or enter it with its reason in {name}')
+    return wrong
+
+
 def measure_size(table, root, product, everything):
     code = count_code_lines(root, list(product))
     by_folder = collections.Counter()
@@ -427,6 +450,8 @@ def measure_size(table, root, product, everything):
     short = collections.Counter(folder_of(p) for p, s in product.items() if len(s.lines) < 60)
     table.add('mean lines of a production file', total / max(1, len(product)), (150, 250),
               ranked(short, '{:6} files under 60 lines in {}'), '{:.1f}')
+    wrong = check_small_files(root, product, code)
+    table.add('small files without a reason in small_files.tsv', len(wrong), (None, 0), wrong)
     flat = collections.Counter(folder_of(p) for p in everything)
     table.add('C files in the largest flat folder', max(flat.values(), default=0), (None, 33),
               ranked({f: n for f, n in flat.items() if n > 33}))

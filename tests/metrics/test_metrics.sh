@@ -99,6 +99,8 @@ row 'comment sentences with idiom' '14.3 %' MISS
 row 'production code lines' 39 ok
 row 'production files' 9 MISS
 row 'mean lines of a production file' 5.0 MISS
+# Six sources, and two headers that have no source and are included once. wall.h has a source.
+row 'small files without a reason' 8 MISS
 row 'C files in the largest flat folder' 3 ok
 # Fifteen functions in 45 lines: wall.c 3, coins.c 6, drivers 3, ledger_file.c 3. Declarations are not counted.
 row 'functions per 1,000 lines' 333.3 MISS
@@ -119,6 +121,17 @@ row 'lines of paths.txt that no longer hold' 0 ok
 row 'differences from .clang-format, tests (1 files)' 1 MISS
 grep -q '1 core/game/coins.c  give' "$tree/table"
 check $? 'the list of misses names the file and the function'
+
+printf '# A comment\n' >"$tree/tests/metrics/small_files.tsv"
+printf '%s\ta contract\n' core/tank/wall.c core/game/coins.c drivers/{a,b,c}.c platform/store/ledger_file.c \
+    core/core.h core/tank/fish.h >>"$tree/tests/metrics/small_files.tsv"
+measure
+row 'small files without a reason' 0 ok
+printf 'core/gone.c\ta contract\n' >>"$tree/tests/metrics/small_files.tsv"
+sed -i 's/^\(drivers.a.c\).*/\1/' "$tree/tests/metrics/small_files.tsv" # A line without a reason.
+seq -f 'int v%g;' 60 >"$tree/drivers/b.c" # A file that is no longer small.
+measure
+row 'small files without a reason' 3 MISS
 
 printf 'poi core/gone.c wall_touch\ncoin core/game/coins.c gone\ncoin core/game/coins.c\n' \
     >>"$tree/tests/metrics/paths.txt"
