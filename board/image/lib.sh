@@ -2,7 +2,7 @@
 # BUILD and IMAGE set.
 #
 # Downloads are stored in $cache, by release, and are fetched again after a week. Results are stored in $IMAGE.
-# shellcheck shell=bash disable=SC2034,SC1091,SC1090,SC2154  # who sources it uses what it sets
+# shellcheck shell=bash disable=SC2034,SC1091,SC1090,SC2154  # the scripts that source this file use the variables
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(cd "$here/../.." && pwd)

@@ -171,8 +171,8 @@ for shell in "${shells[@]}"; do
     check "$shell: settings come from the file and from the command line" reads_settings
     check "$shell: the serial number hides the machine-id and differs between machines" hides
     fresh
-    check "$shell: missing ids are wrong usage" refuses 2 'USB ids of its own' start "$poi"
-    check "$shell: a missing product id is wrong usage" refuses 2 'USB ids of its own' start VENDOR=0x1209 "$poi"
+    check "$shell: missing ids are wrong usage" refuses 2 'its own USB ids' start "$poi"
+    check "$shell: a missing product id is wrong usage" refuses 2 'its own USB ids' start VENDOR=0x1209 "$poi"
     check "$shell: an invalid id is wrong usage" refuses 2 'not 0x and four' start VENDOR=4617 PRODUCT=0x0001 "$poi"
     check "$shell: the id 0 is wrong usage" refuses 2 'not 0x and four' start VENDOR=0x1209 PRODUCT=0x0000 "$poi"
     # shellcheck disable=SC2086
