@@ -93,6 +93,10 @@ BOARD_OBJ = $(BOARD_SRC:%.c=$(BUILD)/%.o)
 # All objects around the core except the two main() files. Programs and tests link what they call.
 SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(BOARD_OBJ))
 
+# ARCH=arm64 on the command line runs a task for another processor (board/deb/cross.sh). A variable of the environment
+# does not count, because other build systems export this name.
+cross = board/setup.sh cross && BUILD='$(BUILD)' ONLY='$(ONLY)' board/deb/cross.sh $(ARCH)
+
 # Each part of the tree adds its own rules: board files and set-up, baked assets, tests, figures.
 -include board/board.mk
 -include $(wildcard assets/bake/*.mk)
@@ -137,7 +141,7 @@ $(BUILD)/ctl.a: $(filter-out %/main.o,$(CTL_OBJ))
 $(BUILD)/%.a:
 	$(call step,AR,$@)
 	@rm -f $@
-	$(Q)ar rcsP $@ $^
+	$(Q)$(AR) rcsP $@ $^
 
 $(FOUND_TOOLS): always
 	@mkdir -p $(@D)
@@ -195,6 +199,6 @@ compile_commands.json: always
 clean:
 	rm -rf build build-clang $(BUILD)
 
--include $(shell [ -d $(BUILD) ] && find $(BUILD) \( -path $(BUILD)/vm -o -path $(BUILD)/image -o -path $(BUILD)/v3d \) -prune -o -type f -name '*.d' -print)
+-include $(shell [ -d $(BUILD) ] && find $(BUILD) \( -path $(BUILD)/vm -o -path $(BUILD)/image -o -path $(BUILD)/v3d -o -path $(BUILD)/cross \) -prune -o -type f -name '*.d' -print)
 
 .PHONY: help build clang generated linkable-board clean always

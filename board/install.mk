@@ -28,9 +28,14 @@ install: build $(MAN)
 uninstall:
 	@DESTDIR='$(DESTDIR)' PREFIX='$(PREFIX)' BUILD='$(BUILD)' board/install.sh uninstall
 
-## package/deb: Build the Debian packages kingyo and kingyo-kiosk in build/deb/
+## package/deb: Build the Debian packages in build/deb/; ARCH=arm64 is for a board
+ifeq ($(origin ARCH),command line)
+deb:
+	@$(cross) deb
+else
 deb: build $(MAN)
 	@BUILD='$(BUILD)' board/deb/deb.sh
+endif
 
 ## test/test-deb: Install, upgrade and purge the packages in a minimal root
 test-deb: build $(MAN)

@@ -53,9 +53,14 @@ check: boundaries
 	+@$(MAKE) --no-print-directory test
 	+@$(MAKE) --no-print-directory sizes
 
-## test/unit: Run the unit tests; ONLY=tank runs test_tank* alone
+## test/unit: Run the unit tests; ONLY=tank runs test_tank*; ARCH=arm64 emulates a board
+ifeq ($(origin ARCH),command line)
+unit:
+	@$(cross) unit
+else
 unit: $(foreach test,$(UNIT),$(if $(filter test_$(ONLY)%,$(notdir $(test))),$(test)))
 	@tests/run.sh $(RESULTS) $^
+endif
 
 ## test/test-e2e: Run the end-to-end tests: virtual screen, real kiosk, real pointer
 test-e2e:

@@ -2,14 +2,15 @@
 # deb.sh -- makes the Debian packages of the files in board/files.txt, in $BUILD/deb/, and prints their names.
 #
 # Uses only dpkg-deb. The same tree and the same SOURCE_DATE_EPOCH (default: the time of the newest commit) give the same
-# bytes on every machine. LEVEL=1 packs faster. VERSION= replaces the program's version, to test upgrades. Needs dpkg-dev,
-# but not root. Exits with 74 if a file cannot be made.
+# bytes on every machine. LEVEL=1 packs faster. VERSION= replaces the program's version, to test upgrades. DEB_HOST_ARCH=
+# and STRIP= name the processor of the programs and its strip(1), if they are for another machine. Needs dpkg-dev, but not
+# root. Exits with 74 if a file cannot be made.
 set -eu
 cd "$(dirname "$0")/../.."
 BUILD=${BUILD:-build}
 out=$BUILD/deb
 version=${VERSION:-$(sed -nE 's/^#define KINGYO_VERSION "([0-9][0-9A-Za-z.~+]*)".*/\1/p' core/core.h)}
-architecture=$(dpkg --print-architecture)
+architecture=${DEB_HOST_ARCH:-$(dpkg --print-architecture)}
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y core/core.h)}
 export SOURCE_DATE_EPOCH
 [ -n "$version" ] || { echo 'deb: core/core.h names no version' >&2; exit 74; }
@@ -98,7 +99,7 @@ for package in kingyo kingyo-kiosk; do
     root=$out/root-$package
     PACKAGES=$package DESTDIR=$root PREFIX=/usr BUILD=$BUILD board/install.sh install
     if [ -d "$root/usr/bin" ]; then
-        strip --strip-unneeded --remove-section=.comment --remove-section=.note "$root"/usr/bin/*
+        "${STRIP:-strip}" --strip-unneeded --remove-section=.comment --remove-section=.note "$root"/usr/bin/*
     fi
     documents $package "$root"
     control $package "$root"

@@ -51,24 +51,6 @@ is_fresh() { # FILE WORDS
     [ -n "$(find "$1" -maxdepth 0 -mtime "-$days_max" 2>/dev/null)" ] && [ "$(cat "$1.of" 2>/dev/null)" = "$2" ]
 }
 
-# Prints the sources of Debian's packages on this machine, as lines for apt of the release.
-sources() {
-    local archive security
-    archive=$(mirror 0)
-    security=$(mirror 1)
-    if [ -z "$archive" ]; then
-        echo 'image: apt on this machine knows no Debian archive; run apt-get update first' >&2
-        return 1
-    fi
-    echo "deb $archive $suite main"
-    [ -z "$security" ] || echo "deb $security $suite-security main"
-}
-
-mirror() { # 0|1: prints the address of the archive (0) or of its security fixes (1)
-    apt-get indextargets --format '$(REPO_URI) $(ORIGIN) $(LABEL)' 'Created-By: Packages' 2>/dev/null |
-        awk -v security="$1" '$2 == "Debian" && (($3 ~ /Security/) == security) { print $1; exit }'
-}
-
 # Copies the named kernel modules, and the modules they need, below FOLDER.
 install_modules() { # FOLDER MODULES
     local release module file to

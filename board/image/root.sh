@@ -7,7 +7,8 @@ packages=$(awk '!/^#/ && NF { printf "%s%s", comma, $1; comma = "," }' "$here/pa
 made_of="$suite $arch $kernel $packages"
 is_fresh "$cache/root.tar" "$made_of" && exit 0
 step "Debian's packages: $suite, $arch"
-mapfile -t lines < <(sources)
+sources=$("$top/board/debian_sources.sh" "$suite" image)
+mapfile -t lines <<<"$sources"
 rm -rf "$cache/debs"
 mkdir -p "$cache/debs"
 # The same apt fetches the kernel, so that kernel and packages are of the same day. The kernel is unpacked beside the root

@@ -21,17 +21,7 @@ cache=${BUILD:-build}/fresh
 mkdir -p "$cache"
 failed=0 rows=()
 
-# Prints the address from which this machine fetches the Debian archive or its security updates.
-mirror() { # archive|security
-    apt-get indextargets --format '$(REPO_URI) $(ORIGIN) $(LABEL)' 'Created-By: Packages' 2>/dev/null |
-        awk -v security="$([ "$1" = security ] && echo 1 || echo 0)" '
-            $2 == "Debian" && (($3 ~ /Security/) == security) { print $1; exit }'
-}
-archive=$(mirror archive) security=$(mirror security)
-if [ -z "$archive" ]; then
-    echo 'test-fresh: apt on this machine has no Debian archive; run apt-get update first' >&2
-    exit 1
-fi
+board/debian_sources.sh bookworm test-fresh >/dev/null || exit 1
 
 unmount() {
     local part
@@ -71,9 +61,9 @@ quote() { grep -E ' passed, [0-9]+ failed$|fish caught' "$1" | tail -1 | tr -s '
 # Makes the empty root from the cache or from the mirror. The file is written under another name
 # first, so that an interrupted file is never used.
 base() { # RELEASE
-    local tar=$cache/$1.tar sources=("deb $archive $1 main" "deb $archive $1-updates main")
+    local tar=$cache/$1.tar sources
     [ -n "$(find "$tar" -mtime -7 2>/dev/null)" ] && return
-    [ -n "$security" ] && sources+=("deb $security $1-security main")
+    mapfile -t sources < <(board/debian_sources.sh "$1" test-fresh)
     rm -f "$tar.new"
     mmdebstrap --mode=root --variant=minbase --include=make --format=tar "$1" "$tar.new" "${sources[@]}" &&
         mv "$tar.new" "$tar"

@@ -26,7 +26,7 @@ fuzz-devices:
 $(FUZZ)/devices.a: $(DEVICE_SRC:%.c=$(FUZZ)/%.o)
 	$(call step,AR,$@)
 	@rm -f $@
-	$(Q)ar rcsP $@ $^
+	$(Q)$(AR) rcsP $@ $^
 
 $(DEVICE_BIN): $(FUZZ)/device_%: $(FUZZ)/tests/fuzz/devices/%.o $(FUZZ)/devices.a
 	$(call step,LINK,$@)

@@ -18,7 +18,7 @@ fuzz-files:
 $(FUZZ)/files.a: $(FILE_SRC:%.c=$(FUZZ)/%.o) $(WIDE_SRC:%.c=$(FUZZ)/%_8.o) $(FILE_GENERATED)
 	$(call step,AR,$@)
 	@rm -f $@
-	$(Q)ar rcsP $@ $^
+	$(Q)$(AR) rcsP $@ $^
 
 $(FILE_BIN): $(FUZZ)/file_%: $(FUZZ)/tests/fuzz/file_%.o $(FUZZ)/files.a $(FUZZ)/devices.a
 	$(call step,LINK,$@)

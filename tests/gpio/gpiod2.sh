@@ -10,12 +10,10 @@ read -ra ldflags <<<"${LDFLAGS:-}"
 cc=${CC:-gcc}
 
 fetch() {
-    local root mirror
+    local root sources
     root=$(mktemp -d)
-    mirror=$(apt-get indextargets --format '$(REPO_URI) $(ORIGIN) $(LABEL)' 'Created-By: Packages' 2>/dev/null |
-        awk '$2 == "Debian" && $3 !~ /Security/ { print $1; exit }')
-    # shellcheck disable=SC2086  # an unknown mirror means the default of mmdebstrap
-    if ! mmdebstrap --quiet --variant=extract --include=libgpiod-dev trixie "$root" $mirror 2>"$home/fetch.log"; then
+    mapfile -t sources < <(board/debian_sources.sh trixie gpiod2)
+    if ! mmdebstrap --quiet --variant=extract --include=libgpiod-dev trixie "$root" "${sources[@]}" 2>"$home/fetch.log"; then
         echo "gpiod2: Debian 13's libgpiod could not be fetched: see $home/fetch.log" >&2
         rm -rf "$root"
         exit 74

@@ -9,10 +9,6 @@ mkdir -p "$1"
 folder=$(cd "$1" && pwd)
 root=$folder/root
 . "$here/inside.sh"
-archive=$(apt-get indextargets --format '$(REPO_URI) $(ORIGIN) $(LABEL)' 'Created-By: Packages' 2>/dev/null |
-    awk '$2 == "Debian" && $3 !~ /Security/ { print $1; exit }')
-archive=${archive:-http://deb.debian.org/debian}
-
 if [ "$(id -u)" -ne 0 ] || ! command -v mmdebstrap >/dev/null; then
     echo 'bench-v3d: needs root and mmdebstrap; run: sudo apt-get install mmdebstrap; sudo make bench-v3d' >&2
     exit 1
@@ -21,8 +17,10 @@ fi
 if [ ! -e "$folder/root.made" ]; then
     echo 'bench-v3d: making a root of Debian 13 ...'
     rm -rf --one-file-system "$root"
+    sources=$("$here/../../board/debian_sources.sh" trixie bench-v3d)
+    mapfile -t sources <<<"$sources"
     mmdebstrap --quiet --mode=root --variant=minbase --include="$(tr '\n' ',' <"$here/packages.txt")" \
-        trixie "$root" "deb $archive trixie main" "deb-src $archive trixie main"
+        trixie "$root" "${sources[@]}" "${sources[@]/#deb /deb-src }"
     touch "$folder/root.made"
 fi
 

@@ -29,33 +29,12 @@ step() { printf '[%4d s] %s\n' "$SECONDS" "$*"; }
 # Returns 0 if FILE was made less than days_max days ago.
 is_fresh() { [ -n "$(find "$1" -maxdepth 0 -mtime "-$days_max" 2>/dev/null)" ]; }
 
-# Prints the address from which this machine fetches the Debian archive or its security updates.
-mirror() { # archive|security
-    apt-get indextargets --format '$(REPO_URI) $(ORIGIN) $(LABEL)' 'Created-By: Packages' 2>/dev/null |
-        awk -v security="$([ "$1" = security ] && echo 1 || echo 0)" '
-            $2 == "Debian" && (($3 ~ /Security/) == security) { print $1; exit }'
-}
-
-# Prints the apt sources of the guest's release. The archive alone is sufficient, because its next
-# point release contains each fixed kernel.
-sources() {
-    local archive security
-    archive=$(mirror archive)
-    security=$(mirror security)
-    if [ -z "$archive" ]; then
-        echo 'test-vm: apt on this machine has no Debian archive; run apt-get update first' >&2
-        return 1
-    fi
-    echo "deb $archive $suite main"
-    [ -z "$security" ] || echo "deb $security $suite-security main"
-}
-
 # Runs apt for the guest's release and architecture, separately from this machine's own apt.
 guest_apt() { # COMMAND...
     local dir=$cache/apt
     if ! is_fresh "$dir/updated"; then
         mkdir -p "$dir"/{lists,archives}/partial
-        sources >"$dir/sources.list"
+        "$top/board/debian_sources.sh" "$suite" test-vm >"$dir/sources.list"
         : >"$dir/status"
         cat >"$dir/apt.conf" <<END
 Dir::State "$dir"; Dir::State::lists "$dir/lists"; Dir::State::status "$dir/status";
@@ -78,7 +57,7 @@ kernel_release() {
 unpack_root() { # FOLDER ARCHITECTURES PACKAGES, the last two separated by commas
     local -a lines
     rm -rf --one-file-system "$1"
-    mapfile -t lines < <(sources)
+    mapfile -t lines < <("$top/board/debian_sources.sh" "$suite" test-vm)
     mmdebstrap --quiet --mode=root --variant=extract --architectures="$2" --include="$3" \
         "$suite" "$1" "${lines[@]}" 2>"$1.log" || {
         tail -5 "$1.log" >&2

@@ -10,12 +10,13 @@ MANY_SRC := $(foreach part,base tank morph poi,$(call sources,core/$(part)))
 MANY_OBJ = $(MANY_SRC:%.c=$(MANY)/%.o) $(filter $(MANY_SRC:%.c=$(MANY)/%_8.o),$(WIDE_SRC:%.c=$(MANY)/%_8.o))
 MANY_TANK_SRC := $(call sources,platform/ctl/tank)
 OBJCOPY ?= objcopy
+NM ?= nm
 
 $(MANY)/tank.o: $(MANY_TANK_SRC:%.c=$(MANY)/%.o) $(MANY_OBJ) $(GENERATED_CORE_OBJ) $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(LD) -r -o $@ $(filter-out %.a,$^)
 	$(Q)$(OBJCOPY) --keep-global-symbol=ctl_tank $@
-	$(Q)! nm -u $@ | awk '{ print $$2 }' | grep -wFf <(nm -g --defined-only $(BUILD)/core.a | \
+	$(Q)! $(NM) -u $@ | awk '{ print $$2 }' | grep -wFf <($(NM) -g --defined-only $(BUILD)/core.a | \
 	    awk 'NF == 3 && $$3 != "core_panic" { print $$3 }') || \
 	    { echo 'tank.o: these functions of the core are compiled for 2,048 fish' >&2; rm -f $@; exit 1; }
 
