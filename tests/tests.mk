@@ -53,7 +53,7 @@ check: boundaries
 	+@$(MAKE) --no-print-directory test
 	+@$(MAKE) --no-print-directory sizes
 
-## test/unit: Run the unit tests; ONLY=tank runs test_tank*; ARCH=arm64 emulates a board
+## test/unit: Run unit tests; ONLY=tank runs test_tank*; ARCH=arm64 emulates a board
 ifeq ($(origin ARCH),command line)
 unit:
 	@$(cross) unit
