@@ -95,7 +95,8 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 
 # ARCH=arm64 on the command line runs a task for another processor (board/deb/cross.sh). A variable of the environment
 # does not count, because other build systems export this name.
-cross = board/setup.sh cross && BUILD='$(BUILD)' ONLY='$(ONLY)' board/deb/cross.sh $(ARCH)
+FOREIGN := $(if $(filter command,$(firstword $(origin ARCH))),$(ARCH))
+cross = board/setup.sh cross && BUILD='$(BUILD)' ONLY='$(ONLY)' board/deb/cross.sh $(FOREIGN)
 
 # Each part of the tree adds its own rules: board files and set-up, baked assets, tests, figures.
 -include board/board.mk

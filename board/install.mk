@@ -29,7 +29,7 @@ uninstall:
 	@DESTDIR='$(DESTDIR)' PREFIX='$(PREFIX)' BUILD='$(BUILD)' board/install.sh uninstall
 
 ## package/deb: Build the Debian packages in build/deb/; ARCH=arm64 is for a board
-ifeq ($(origin ARCH),command line)
+ifneq ($(FOREIGN),)
 deb:
 	@$(cross) deb
 else
@@ -37,9 +37,9 @@ deb: build $(MAN)
 	@BUILD='$(BUILD)' board/deb/deb.sh
 endif
 
-## test/test-deb: Install, upgrade and purge the packages in a minimal root
+## test/test-deb: Install, upgrade and purge the packages in a minimal root; ARCH=arm64
 test-deb: build $(MAN)
-	@board/setup.sh dev
-	@BUILD='$(BUILD)' tests/fresh/deb.sh $(RELEASE)
+	@board/setup.sh dev $(if $(FOREIGN),cross)
+	@ARCH='$(FOREIGN)' BUILD='$(BUILD)' tests/fresh/deb.sh $(RELEASE)
 
 .PHONY: test-deb man install uninstall deb

@@ -54,7 +54,7 @@ check: boundaries
 	+@$(MAKE) --no-print-directory sizes
 
 ## test/unit: Run unit tests; ONLY=tank runs test_tank*; ARCH=arm64 emulates a board
-ifeq ($(origin ARCH),command line)
+ifneq ($(FOREIGN),)
 unit:
 	@$(cross) unit
 else

@@ -9,14 +9,8 @@ set -eu
 cd "$(dirname "$0")/../.."
 arch=${1:?usage: cross.sh ARCH TARGET} target=${2:?usage: cross.sh ARCH TARGET}
 suite=trixie
-case $arch in
-arm64) triplet=aarch64-linux-gnu emulator=qemu-aarch64 ;;
-*) echo "cross: ARCH=$arch: expected arm64" >&2; exit 2 ;;
-esac
-if [ "$(id -u)" -ne 0 ]; then
-    echo "cross: making a root file system needs root; please run: sudo make $target ARCH=$arch" >&2
-    exit 1
-fi
+board/deb/emulate.sh "$arch"
+triplet=aarch64-linux-gnu
 folder=${BUILD:-build}/cross/$arch
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
@@ -61,13 +55,6 @@ make_root() {
     echo "$wanted" >"$folder/packages"
 }
 
-# Registers the emulator in the kernel, if no service of the machine has done so.
-register_emulator() {
-    local formats=/proc/sys/fs/binfmt_misc
-    [ -e $formats/register ] || mount -t binfmt_misc binfmt_misc $formats
-    [ -e "$formats/$emulator" ] || cat "/usr/lib/binfmt.d/$emulator.conf" >$formats/register
-}
-
 # Replaces the tree in the root by the files of this tree. The results of earlier runs stay.
 copy_tree() {
     mkdir -p "$root/kingyo"
@@ -79,14 +66,13 @@ copy_tree() {
 make_inside() { # TARGET
     env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root TERM=dumb LC_ALL=C.UTF-8 \
         PKG_CONFIG_LIBDIR="/usr/lib/$triplet/pkgconfig:/usr/share/pkgconfig" TEST_LIMIT_S=3000 \
-        DEB_HOST_ARCH="$arch" STRIP="$triplet-strip" \
+        DEB_HOST_ARCH="$arch" STRIP="$triplet-strip" VERSION="${VERSION:-}" \
         SOURCE_DATE_EPOCH="${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y core/core.h)}" \
         chroot "$root" make -C /kingyo --no-print-directory -j"$(nproc)" CC="$triplet-gcc" LD="$triplet-ld" \
         AR="$triplet-ar" NM="$triplet-nm" OBJCOPY="$triplet-objcopy" BUILD_CC=gcc ONLY="${ONLY:-}" "$1"
 }
 
 make_root
-register_emulator
 copy_tree
 mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
