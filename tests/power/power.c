@@ -103,8 +103,8 @@ static int tape_is_whole(const char *folder, const char *copy)
     for (uint32_t i = 0; i < count && whole; i++) {
         char a[PATH_SIZE], b[PATH_SIZE];
         size_t a_size = 0, b_size = 0;
-        snprintf(a, sizeof a, "%s/%s", copy, names[i]);
-        snprintf(b, sizeof b, "%s/%s", folder, names[i]);
+        snprintf(a, sizeof a, "%s/%.*s", copy, (int)TAPE_NAME_SIZE - 1, names[i]);
+        snprintf(b, sizeof b, "%s/%.*s", folder, (int)TAPE_NAME_SIZE - 1, names[i]);
         uint8_t *left = disk_read(a, &a_size), *right = disk_read(b, &b_size);
         whole = left && right && a_size == b_size && memcmp(left, right, a_size) == 0;
         free(left);
