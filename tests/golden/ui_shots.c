@@ -20,6 +20,7 @@
 
 #include "core/game/accounting/accounts.h"
 #include "core/game/mode_tags.h"
+#include "core/tank/preset.h"
 #include "platform/render/ui/ui.h"
 
 #define WIDTH_MAX 3840
@@ -243,6 +244,7 @@ static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t lan
 {
     memset(scene, 0, sizeof *scene);
     scene->tick = 1000;
+    scene->view = tank_preset(TANK_PRESET_FESTIVAL)->view;
     scene->phase = shot->phase;
     scene->hint = shot->hint;
     scene->phase_s = shot->phase_s;
