@@ -228,7 +228,9 @@ enum time_call {
 enum scene_hint {
     HINT_NONE = 0,
     HINT_START,     /* Press START to play. */
-    HINT_MOVE,      /* Move the poi over a fish. */
+    /* Move the poi over a fish. The lessons show HINT_DIP instead, but recordings contain the value
+     * of HINT_MOVE. */
+    HINT_MOVE,
     HINT_DIP,       /* Dip beside a fish. */
     HINT_LIFT,      /* Lift the fish that is over the paper. */
     HINT_BOWL,      /* Carry the fish to the bowl. */

@@ -30,7 +30,6 @@
 /* Time for which a hint must fit the situation before it is shown. In this time the player may do
  * the right thing without a hint. Hints that follow from a fault need no time. */
 static const uint16_t fault_ticks[HINT_COUNT] = {
-    [HINT_MOVE] = 4u * CORE_TICK_HZ,
     [HINT_DIP] = 4u * CORE_TICK_HZ,
     [HINT_BOWL] = 3u * CORE_TICK_HZ / 2u,
 };
@@ -119,13 +118,14 @@ static bool is_fault(const struct lesson *lesson, const struct game *game,
     }
 }
 
-/* Returns the hint that fits the situation. This function detects haste and flat dips earlier than
- * hints.c, which detects haste only by torn paper, and shows HINT_TILT only after the first
- * catch. */
+/* Returns the hint that fits the situation. HINT_DIP replaces HINT_MOVE, because its picture shows
+ * both actions. This function detects haste and flat dips earlier than hints.c, which detects haste
+ * only by torn paper, and shows HINT_TILT only after the first catch. */
 static uint8_t wanted_hint(const struct lesson *lesson, const struct game *game,
                            const struct world *world)
 {
-    const uint8_t hint = lesson->hints.shown;
+    const uint8_t shown = lesson->hints.shown;
+    const uint8_t hint = shown == HINT_MOVE ? (uint8_t)HINT_DIP : shown;
     const bool is_taught_now =
         is_scooping(game, world, lesson->hints.pupil) && hint != HINT_CLEAR_RIM;
     const bool is_free = hint == HINT_NONE || hint == HINT_GLIDE;

@@ -74,10 +74,13 @@ static void stroke_picture(const struct ui_frame *frame, float x, float y, uint8
         ui_arrow(frame, x + 38.0f * u, y - 22.0f * u, 0.0f, 44.0f * u, UI_GOLD);
     } else {
         const bool is_slanted = hint == HINT_TILT;
-        side_paper(frame, x, y, is_slanted ? -12.0f + 20.0f * part : 0.0f, -20.0f + 38.0f * part,
+        side_paper(frame, x, y, is_slanted ? -12.0f + 20.0f * part : -26.0f, -20.0f + 38.0f * part,
                    is_slanted ? -13.0f : 0.0f);
-        ui_arrow(frame, x + 18.0f * u, y - 24.0f * u, (is_slanted ? 18.0f : 0.0f) * u, 40.0f * u,
-                 UI_GOLD);
+        ui_arrow(frame, x + (is_slanted ? 18.0f : -2.0f) * u, y - 24.0f * u,
+                 (is_slanted ? 18.0f : 0.0f) * u, 40.0f * u, UI_GOLD);
+        if (!is_slanted) {
+            ui_fish_sign(frame, x + 28.0f * u, y + 14.0f * u, 44.0f * u);
+        }
     }
 }
 
@@ -89,11 +92,6 @@ static void picture(const struct ui_frame *frame, float x, float y, uint8_t hint
     const float u = frame->unit;
     const uint32_t ring = ui_player_colours[player];
     switch (hint) {
-    case HINT_MOVE:
-        ui_fish_sign(frame, x + 22.0f * u, y, 46.0f * u);
-        ui_poi_sign(frame, x + (-34.0f + 50.0f * part) * u, y - 4.0f * u, 19.0f * u, 1.0f,
-                    ui_fade(ring, 0.85f));
-        break;
     case HINT_BOWL:
     case HINT_CLEAR_RIM:
         ui_poi_sign(frame, x - 30.0f * u, y + (14.0f - 24.0f * part) * u, 17.0f * u, 1.0f, ring);

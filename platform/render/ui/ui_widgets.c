@@ -51,7 +51,6 @@ const char *ui_hint_words(const struct ui_frame *frame, uint8_t hint)
 {
     static const uint16_t keys[HINT_COUNT] = {
         [HINT_START] = TEXT_HINT_START,
-        [HINT_MOVE] = TEXT_HINT_MOVE,
         [HINT_DIP] = TEXT_HINT_DIP,
         [HINT_LIFT] = TEXT_HINT_LIFT,
         [HINT_BOWL] = TEXT_HINT_BOWL,

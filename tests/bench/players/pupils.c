@@ -62,13 +62,8 @@ static void keeps_catch(struct habits *ill, struct habits *cured)
 
 static void rushes(struct habits *ill, struct habits *cured)
 {
-    (void)cured;
-    ill->cost_depth = ill->cost_random_px = ill->beside_px = ill->lost_px = 0.0f;
-    ill->arm_px_s = 1500.0f;
-    ill->reach_px = 40.0f;
-    ill->follow_min_s = 3.0f;
-    ill->follow_max_s = 5.0f;
-    ill->glide_px_s = 1200.0f;
+    ill->device = cured->device = PLAYER_POI;
+    ill->dip_m_s = ill->lift_m_s = 0.8f;
 }
 
 static void clicks(struct habits *ill, struct habits *cured)
@@ -106,11 +101,11 @@ static const struct {
     const char *name, *fault;
     void (*set_fault)(struct habits *ill, struct habits *cured);
 } table[] = {
-    { HINT_MOVE, "move", "does not move", is_motionless },
+    { HINT_DIP, "move", "does not move", is_motionless },
     { HINT_DIP, "dip", "moves, but does not dip", hovers },
     { HINT_LIFT, "lift", "holds the ring under water for 5 to 8 s", stays_under },
     { HINT_BOWL, "bowl", "keeps the fish on the paper", keeps_catch },
-    { HINT_SLOWLY, "slowly", "chases fish under water", rushes },
+    { HINT_SLOWLY, "slowly", "dips and lifts a physical poi fast", rushes },
     { HINT_GLIDE, "glide", "clicks on fish", clicks },
     { HINT_TILT, "tilt", "pushes a level physical poi into the water", pushes_level },
     { HINT_WET_ALL, "wet", "dips half of a physical poi", dips_half },

@@ -381,19 +381,25 @@ static uint8_t hint_after(uint32_t ticks)
     return lesson_after(ticks, 0)->hint;
 }
 
-static void test_the_hints_to_move_and_to_dip_wait_for_four_seconds(void **state)
+static void test_the_hint_to_dip_waits_for_four_seconds(void **state)
+{
+    (void)state;
+    core.world.poi[0].velocity_m_s = v3(0.3f, 0.0f, 0.0f);
+    assert_int_equal(hint_after(470), HINT_NONE);
+    assert_int_equal(hint_after(30), HINT_DIP);
+    assert_true(shown.hint_s >= 0.0f && shown.hint_s <= 30.0f * CORE_TICK_S);
+    core.world.poi[0].immersed = 1.0f;
+    assert_int_equal(hint_after(13), HINT_NONE);
+}
+
+static void test_the_hint_to_dip_also_follows_a_poi_that_does_not_move(void **state)
 {
     (void)state;
     assert_int_equal(hint_after(470), HINT_NONE);
-    assert_int_equal(hint_after(30), HINT_MOVE);
-    assert_true(shown.hint_s >= 0.0f && shown.hint_s <= 30.0f * CORE_TICK_S);
+    assert_int_equal(hint_after(30), HINT_DIP);
+    assert_int_equal(core.lessons.player[0].hints.shown, HINT_MOVE);
     core.world.poi[0].velocity_m_s = v3(0.3f, 0.0f, 0.0f);
-    hint_after(240);
-    core.world.poi[0].velocity_m_s = v3(0.0f, 0.0f, 0.0f);
-    assert_int_equal(hint_after(220), HINT_NONE);
-    assert_int_equal(hint_after(150), HINT_DIP);
-    core.world.poi[0].immersed = 1.0f;
-    assert_int_equal(hint_after(13), HINT_NONE);
+    assert_int_equal(hint_after(240), HINT_DIP); /* Motion alone does not end the hint. */
 }
 
 static void learn(uint32_t hint)
@@ -593,7 +599,7 @@ static void test_each_player_has_an_own_hint(void **state)
     core.world.poi[1].link = POI_SOURCE_LIVE;
     core.world.poi[1].dips = 3;
     core.lessons.player[1].hints.learned = 1u << HINT_MOVE | 1u << HINT_DIP;
-    assert_int_equal(hint_after(500), HINT_MOVE);
+    assert_int_equal(hint_after(500), HINT_DIP);
     assert_int_equal(lesson_after(0, 1)->hint, HINT_GLIDE);
 }
 
@@ -635,7 +641,8 @@ int main(void)
         TEST(test_the_bots_dips_before_the_game_do_not_end_the_ghost),
         TEST(test_the_ghost_of_a_player_without_a_controller_is_hidden),
         TEST(test_the_ghost_waits_during_a_pause_and_hides_the_ring),
-        TEST(test_the_hints_to_move_and_to_dip_wait_for_four_seconds),
+        TEST(test_the_hint_to_dip_waits_for_four_seconds),
+        TEST(test_the_hint_to_dip_also_follows_a_poi_that_does_not_move),
         TEST(test_the_hint_to_glide_follows_two_dips_without_a_catch_and_ends),
         TEST(test_the_hint_to_lift_needs_a_long_dip_and_a_fish_over_the_paper),
         TEST(test_the_hint_about_the_bowl_follows_a_fish_that_stays_on_the_paper),
