@@ -1,7 +1,7 @@
-/* test_sdl_play.c -- Tests rounds that are played with a gamepad and by touch.
+/* test_sdl_play.c -- Tests games that are played with a gamepad, by touch and with a mouse.
  *
- * The input comes from SDL's virtual joystick and from finger events. The drivers and the frame
- * loop are real, and fish must reach the bowl. */
+ * The input comes from SDL's virtual joystick, from finger events and from mouse events. The drivers
+ * and the frame loop are real, and fish must reach the bowl. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -221,14 +221,18 @@ static void glide_mouse(float x, float y)
     }
 }
 
+static void push_button(uint32_t type)
+{
+    SDL_Event event = { .type = type };
+    event.button.button = SDL_BUTTON_LEFT;
+    assert_int_equal(SDL_PushEvent(&event), 1);
+    frames(12);
+}
+
 static void click_mouse(void)
 {
-    for (uint32_t i = 0; i < 2u; i++) {
-        SDL_Event event = { .type = i == 0 ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP };
-        event.button.button = SDL_BUTTON_LEFT;
-        assert_int_equal(SDL_PushEvent(&event), 1);
-        frames(12);
-    }
+    push_button(SDL_MOUSEBUTTONDOWN);
+    push_button(SDL_MOUSEBUTTONUP);
 }
 
 static void say_nothing(void)
@@ -266,7 +270,46 @@ static float start_to_dip_s(uint32_t tag, float look_s)
     return (float)(core->game.tick - start) * CORE_TICK_S;
 }
 
+/* ---- A whole game --------------------------------------------------------------------------- */
+
+/* Moves the mouse towards the screen position of the target. The left button dips the ring. */
+static void say_mouse(void)
+{
+    float x, y;
+    const float pace = player.dips ? 4.5f : 9.0f;
+    const float plane_m = player.dips ? DIP_DEPTH_M : 0.0f;
+    to_window(v3(player.over_m.x, plane_m, player.over_m.z), &x, &y);
+    player.x += f_clamp(x * (float)WIDTH - player.x, -pace, pace);
+    player.y += f_clamp(y * (float)HEIGHT - player.y, -pace, pace);
+    SDL_Event event = { .type = SDL_MOUSEMOTION };
+    event.motion.x = (Sint32)player.x;
+    event.motion.y = (Sint32)player.y;
+    assert_int_equal(SDL_PushEvent(&event), 1);
+    if (player.dips != player.second_is_down) {
+        SDL_Event button = { .type = player.dips ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP };
+        button.button.button = SDL_BUTTON_LEFT;
+        assert_int_equal(SDL_PushEvent(&button), 1);
+        player.second_is_down = player.dips;
+    }
+}
+
+static void wait_for(uint8_t phase, uint32_t seconds_max)
+{
+    for (uint32_t i = 0; i < seconds_max * 60u && player.kiosk.core.game.phase != phase; i++) {
+        frame();
+    }
+    assert_int_equal(player.kiosk.core.game.phase, phase);
+}
+
 /* ---- Tests ---------------------------------------------------------------------------------- */
+
+static void open_mouse(void)
+{
+    mouse_poi_init(&player.pointer, player.hal.clock, stall_view(), WIDTH, HEIGHT,
+                   POINTER_FILTER_MOUSE);
+    player.hal.poi[0] = mouse_poi_devices(&player.pointer).poi;
+    player.say = say_nothing;
+}
 
 static int begin(void **state)
 {
@@ -320,10 +363,7 @@ static void test_a_touch_player_lands_fish(void **state)
 static void test_a_mouse_dips_within_eight_seconds_of_start_after_one_choice(void **state)
 {
     (void)state;
-    mouse_poi_init(&player.pointer, player.hal.clock, stall_view(), WIDTH, HEIGHT,
-                   POINTER_FILTER_MOUSE);
-    player.hal.poi[0] = mouse_poi_devices(&player.pointer).poi;
-    player.say = say_nothing;
+    open_mouse();
     for (uint32_t tag = 0; tag < MODE_TAG_LEVELS; tag++) {
         const float taken_s = start_to_dip_s(tag, 2.0f);
         print_message("from START to the first dip: %.1f s\n", (double)taken_s);
@@ -335,6 +375,75 @@ static void test_a_mouse_dips_within_eight_seconds_of_start_after_one_choice(voi
     assert_int_equal(player.kiosk.core.game.player[0].level, LEVEL_NORMAL);
 }
 
+static void test_one_mouse_plays_from_start_to_the_album(void **state)
+{
+    (void)state;
+    open_mouse();
+    start_to_dip_s(0, 2.0f);
+    player.say = say_mouse;
+    player.over_m = v3(0.0f, DIP_HOVER_M, 0.0f);
+    frames(30);
+    while (player.kiosk.core.game.phase == PHASE_ROUND) {
+        try_once(0);
+    }
+    const uint32_t caught = player.kiosk.core.game.player[0].caught;
+    print_message("a mouse: %u fish at level easy\n", caught);
+    assert_true(caught > 0);
+    player.dips = 0;
+    wait_for(PHASE_RESULT, 5);
+    wait_for(PHASE_ALBUM, 30);
+    assert_int_equal(player.kiosk.core.game.album.fish_count,
+                     caught < ALBUM_FISH_MAX ? caught : ALBUM_FISH_MAX);
+    wait_for(PHASE_ATTRACT, 60);
+}
+
+/* Opens the kiosk with the settings `dip` and `reach`, and begins a round by START. */
+static void play_with_settings(int32_t dip, int32_t reach)
+{
+    struct kiosk_config kiosk = { .core = { .seed = 1, .fish_count = 40 } };
+    struct settings *settings = &kiosk.core.persistent.settings;
+    settings_reset(settings);
+    settings->value[SET_DIP] = dip;
+    settings->value[SET_REACH] = reach;
+    assert_int_equal(kiosk_init(&player.kiosk, &player.hal, &kiosk), CORE_OK);
+    glide_mouse(640.0f, 400.0f);
+    player.kiosk.input.pressed = INPUT_START;
+    wait_for(PHASE_ROUND, 20);
+}
+
+static void test_the_setting_dip_reaches_the_mouse(void **state)
+{
+    (void)state;
+    const struct poi *poi = &player.kiosk.core.world.poi[0];
+    open_mouse();
+    for (int32_t by_click = 0; by_click < 2; by_click++) {
+        play_with_settings(by_click, 100);
+        click_mouse();
+        frames(60);
+        assert_int_equal(poi->immersed > 0.5f, by_click);
+        click_mouse();
+        frames(60);
+        assert_true(poi->immersed < 0.5f);
+    }
+}
+
+static void test_the_setting_reach_reaches_the_mouse(void **state)
+{
+    (void)state;
+    float z_m[2];
+    open_mouse();
+    for (int32_t i = 0; i < 2; i++) {
+        play_with_settings(0, i == 0 ? 100 : 60);
+        glide_mouse(640.0f, 0.45f * (float)HEIGHT);
+        frames(60);
+        z_m[i] = ring_m().z;
+    }
+    /* With a reach of 60 %, 45 % of the height is close to the top of the reached part. */
+    print_message("the ring is at %.2f m, and at %.2f m with a reach of 60 %%\n", (double)z_m[0],
+                  (double)z_m[1]);
+    assert_true(z_m[1] < z_m[0] - 0.1f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -342,6 +451,9 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_a_touch_player_lands_fish, begin, end),
         cmocka_unit_test_setup_teardown(
             test_a_mouse_dips_within_eight_seconds_of_start_after_one_choice, begin, end),
+        cmocka_unit_test_setup_teardown(test_one_mouse_plays_from_start_to_the_album, begin, end),
+        cmocka_unit_test_setup_teardown(test_the_setting_dip_reaches_the_mouse, begin, end),
+        cmocka_unit_test_setup_teardown(test_the_setting_reach_reaches_the_mouse, begin, end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -97,6 +97,40 @@ static void test_a_correct_recording_verifies(void **state)
     assert_true(core_hash(&core) == hash);
 }
 
+/* The dip that begins the game chooses the side of the bowl. The side is not in the recording's
+ * configuration: the replay must compute the same side from the input. */
+static void test_a_recording_with_the_bowl_on_the_left_side_verifies(void **state)
+{
+    (void)state;
+    static struct output output;
+    struct input input = { .poi[0].link = POI_SOURCE_LIVE };
+    struct core_config left = config;
+    left.modes = 1u << MODE_FESTIVAL;
+    settings_reset(&left.persistent.settings);
+    left.persistent.settings.value[SET_SIDE] = BOWL_BY_FIRST_DIP;
+    assert_int_equal(core_init(&core, &left), CORE_OK);
+    empty_path();
+    assert_int_equal(recorder_begin(&recorder, path, &core), 0);
+    const struct kiosk_tap tap = recorder_tap(&recorder);
+    for (uint32_t tick = 0; tick < 8u * CORE_TICK_HZ; tick++) {
+        const bool is_down = tick > CORE_TICK_HZ && tick < 3u * CORE_TICK_HZ / 2u;
+        input.poi[0].target.position_m = v3(-0.3f, is_down ? -0.03f : 0.08f, 0.0f);
+        output.sound_count = 0;
+        core_tick(&core, &input, &output);
+        tap.tick(tap.self, &input, &core);
+    }
+    assert_int_equal(recorder_end(&recorder), 0);
+    const float bowl_x_m = core.world.bowl[0].position_m.x;
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    assert_true(bowl_x_m < -0.1f);
+    const uint64_t hash = core_hash(&core);
+    replay_all();
+    assert_int_equal(replayer.damaged, 0);
+    assert_int_equal(replayer.difference.found, 0);
+    assert_true(core_hash(&core) == hash);
+    assert_float_equal(core.world.bowl[0].position_m.x, bowl_x_m, 0.0f);
+}
+
 /* The recording contains coins and a visit to the operator's menu. In the menu, controllers are
  * plugged in, unplugged and learned. */
 static void test_a_recording_of_the_operator_menu_verifies(void **state)
@@ -281,6 +315,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_correct_recording_verifies),
+        cmocka_unit_test(test_a_recording_with_the_bowl_on_the_left_side_verifies),
         cmocka_unit_test(test_a_recording_of_the_operator_menu_verifies),
         cmocka_unit_test(test_a_recording_contains_its_modes_and_players),
         cmocka_unit_test(test_counts_rise_with_the_scores_and_restart_with_a_round),
