@@ -92,6 +92,32 @@ done
 ok $? 'the menu shows wooden tags in front of a dark tank'
 picture top
 
+# The two arrows beside a value, pressed with a real pointer. An arrow repeats while it is held, so
+# that a long frame may change the value by several steps.
+click_arrow() { # lower|raise -lt|-gt: Clicks the arrow until the first value of the page has changed in the direction.
+    local before
+    before=$(knows arrow_value)
+    xdotool mousemove "$(knows "$1_x")" "$(knows arrows_y)"
+    for _ in 1 2 3; do
+        xdotool mousedown 1 sleep 0.3 mouseup 1
+        for _ in $(seq 50); do
+            [ "$(knows arrow_value)" "$2" "$before" ] && return 0
+            sleep 0.2
+        done
+    done
+    return 1
+}
+go_to sound && [ "$(knows arrow_value)" -eq 80 ]
+ok $? 'the page of sound shows the volume' "$mind"
+click_arrow lower -lt
+ok $? 'a click on the left arrow lowers the volume' "$mind"
+sleep 1
+click_arrow raise -gt
+ok $? 'a click on the right arrow raises the volume' "$mind"
+picture sound
+xdotool mousemove 30 700
+point_to back && tap F2 test && becomes on_top 1
+
 go_to devices lines
 ok $? 'SERVICE selects the page of lines, and TEST opens it' "$mind"
 tap 5 coins && becomes test_coins 1

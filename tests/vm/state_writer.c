@@ -24,6 +24,25 @@ static void on_signal(int number)
     must_end = 1;
 }
 
+/* Prints the value of the first row of the open menu page that has arrows, and the middles of its
+ * arrows on the canvas. */
+static void print_arrows(FILE *file, const struct core *core)
+{
+    const struct menu *menu = &core->game.menu;
+    for (uint32_t tag = 0; tag < menu_tag_count(menu->page, 0); tag++) {
+        if (menu_has_arrows(menu->page, 0, tag)) {
+            const struct layout_box row = menu_box(false, menu->page, 0, menu_enabled(menu), tag);
+            const struct layout_box lower = menu_arrow_box(row, true);
+            const struct layout_box raise = menu_arrow_box(row, false);
+            fprintf(file, "arrow_value %d\narrows_y %.0f\nlower_x %.0f\nraise_x %.0f\n",
+                    core->config.persistent.settings.value[menu_setting_at(menu->page, 0, tag)],
+                    (double)(lower.y + 0.5f * lower.height), (double)(lower.x + 0.5f * lower.width),
+                    (double)(raise.x + 0.5f * raise.width));
+            return;
+        }
+    }
+}
+
 static void print_state(FILE *file, const struct twin *twin)
 {
     static const char *const buttons[] = { "start", "left",    "right", "ok",  "language",
@@ -39,15 +58,17 @@ static void print_state(FILE *file, const struct twin *twin)
     const struct menu *menu = &core->game.menu;
     fprintf(file, "fallen %u\ngiven_back %u\nmetered %u\n", balance->units,
             core->game.accounts.audits.count[AUDIT_REFUNDS], core->game.accounts.credit.metered);
-    fprintf(file, "on_top %d\non_devices %d\non_lines %d\non_upkeep %d\non_files %d\n",
+    fprintf(file, "on_top %d\non_devices %d\non_lines %d\non_upkeep %d\non_files %d\non_sound %d\n",
             menu->page == MENU_TOP, menu->page == MENU_DEVICES, menu->page == MENU_LINES,
-            menu->page == MENU_UPKEEP, menu->page == MENU_FILES);
-    fprintf(file, "to_devices %u\nto_lines %u\nto_upkeep %u\nto_files %u\nto_back %u\n",
-            menu_tag_of(MENU_DEVICES), menu_tag_of(MENU_LINES), menu_tag_of(MENU_UPKEEP),
-            menu_tag_of(MENU_FILES), menu_tag_count(menu->page, false) - 1u);
+            menu->page == MENU_UPKEEP, menu->page == MENU_FILES, menu->page == MENU_SOUND);
+    fprintf(
+        file, "to_devices %u\nto_lines %u\nto_upkeep %u\nto_files %u\nto_sound %u\nto_back %u\n",
+        menu_tag_of(MENU_DEVICES), menu_tag_of(MENU_LINES), menu_tag_of(MENU_UPKEEP),
+        menu_tag_of(MENU_FILES), menu_tag_of(MENU_SOUND), menu_tag_count(menu->page, false) - 1u);
     fprintf(file, "asks %d\npage %u\ntag %u\ntest_coins %u\nfiles %u\n",
             menu_is_confirming(&core->game), menu->page, menu->tag[menu->page], menu->test_coins,
             menu->controllers.file_count);
+    print_arrows(file, core);
     const uint8_t phase = core->game.phase;
     fprintf(file, "is_ready %d\nis_round %d\n", phase == PHASE_READY, phase == PHASE_ROUND);
     fprintf(file, "phase %u\npaused %u\nrounds %u\ncaught %u\n", phase, core->game.paused,

@@ -1,7 +1,7 @@
 /* test_sdl_play.c -- Tests games that are played with a gamepad, by touch and with a mouse.
  *
- * The input comes from SDL's virtual joystick, from finger events and from mouse events. The drivers
- * and the frame loop are real, and fish must reach the bowl. */
+ * The input comes from SDL's virtual joystick and from events of fingers and mouse. The drivers and
+ * the frame loop are real, and fish must reach the bowl. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
