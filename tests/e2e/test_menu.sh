@@ -101,7 +101,7 @@ click_arrow() { # lower|raise -lt|-gt: Clicks the arrow until the first value of
     for _ in 1 2 3; do
         xdotool mousedown 1 sleep 0.3 mouseup 1
         for _ in $(seq 50); do
-            [ "$(knows arrow_value)" "$2" "$before" ] && return 0
+            test "$(knows arrow_value)" "$2" "$before" && return 0
             sleep 0.2
         done
     done
