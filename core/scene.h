@@ -227,7 +227,7 @@ enum time_call {
 /* Hints for the player. The renderer supplies the text in the scene's language. */
 enum scene_hint {
     HINT_NONE = 0,
-    HINT_START,     /* Press START to play. */
+    HINT_START, /* Press START to play. */
     /* Move the poi over a fish. The lessons show HINT_DIP instead, but recordings contain the value
      * of HINT_MOVE. */
     HINT_MOVE,

@@ -50,20 +50,13 @@ void ui_plate(const struct ui_frame *frame, struct ui_box box)
 const char *ui_hint_words(const struct ui_frame *frame, uint8_t hint)
 {
     static const uint16_t keys[HINT_COUNT] = {
-        [HINT_START] = TEXT_HINT_START,
-        [HINT_DIP] = TEXT_HINT_DIP,
-        [HINT_LIFT] = TEXT_HINT_LIFT,
-        [HINT_BOWL] = TEXT_HINT_BOWL,
-        [HINT_TILT] = TEXT_HINT_TILT,
-        [HINT_SLOWLY] = TEXT_HINT_SLOWLY,
-        [HINT_GLIDE] = TEXT_HINT_GLIDE,
-        [HINT_TORN] = TEXT_HINT_TORN,
-        [HINT_LOST_POI] = TEXT_HINT_LOST_POI,
-        [HINT_WET_ALL] = TEXT_HINT_WET_ALL,
-        [HINT_NO_SHADE] = TEXT_HINT_NO_SHADE,
-        [HINT_CLEAR_RIM] = TEXT_HINT_CLEAR_RIM,
-        [HINT_CHOOSE] = TEXT_HINT_CHOOSE,
-        [HINT_COIN] = TEXT_HINT_COIN,
+        [HINT_START] = TEXT_HINT_START,         [HINT_DIP] = TEXT_HINT_DIP,
+        [HINT_LIFT] = TEXT_HINT_LIFT,           [HINT_BOWL] = TEXT_HINT_BOWL,
+        [HINT_TILT] = TEXT_HINT_TILT,           [HINT_SLOWLY] = TEXT_HINT_SLOWLY,
+        [HINT_GLIDE] = TEXT_HINT_GLIDE,         [HINT_TORN] = TEXT_HINT_TORN,
+        [HINT_LOST_POI] = TEXT_HINT_LOST_POI,   [HINT_WET_ALL] = TEXT_HINT_WET_ALL,
+        [HINT_NO_SHADE] = TEXT_HINT_NO_SHADE,   [HINT_CLEAR_RIM] = TEXT_HINT_CLEAR_RIM,
+        [HINT_CHOOSE] = TEXT_HINT_CHOOSE,       [HINT_COIN] = TEXT_HINT_COIN,
         [HINT_PAID_BACK] = TEXT_HINT_PAID_BACK,
     };
     CORE_ASSERT(hint != HINT_NONE && hint < HINT_COUNT);

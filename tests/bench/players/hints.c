@@ -94,9 +94,8 @@ static enum exit_code report(const struct school *school)
     printf("festival, %u fish, No. %u paper, at most %u s, level %s, %u seeds\n\n"
            "  %-7s %-44s %7s %5s %6s %16s %5s %5s %6s %6s\n",
            ROUND_FISH_COUNT, rules_grade_at_level(ROUND_GRADE, school->level), ROUND_LENGTH_S,
-           rules_of_level(school->level)->name,
-           school->seeds, "sign", "fault", "without", "with", "more", "95 % interval", "better",
-           "worse", "torn", "with");
+           rules_of_level(school->level)->name, school->seeds, "sign", "fault", "without", "with",
+           "more", "95 % interval", "better", "worse", "torn", "with");
     for (uint32_t i = 0; i < school->pupil_count; i++) {
         missed += is_wanted(school, i) && !print_pair(school, i);
     }

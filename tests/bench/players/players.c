@@ -302,9 +302,8 @@ int main(int argc, char **argv)
     printf("festival, %u fish, No. %u paper, at most %u s, level %s, seeds %u to %u; %.0f s on %u "
            "cores, %.2f s of processor time a round\n\n",
            ROUND_FISH_COUNT, rules_grade_at_level(ROUND_GRADE, options.level), ROUND_LENGTH_S,
-           rules_of_level(options.level)->name,
-           options.first, options.first + options.seeds - 1u, took_s, rounds_workers(),
-           (double)clock() / CLOCKS_PER_SEC / (double)count);
+           rules_of_level(options.level)->name, options.first, options.first + options.seeds - 1u,
+           took_s, rounds_workers(), (double)clock() / CLOCKS_PER_SEC / (double)count);
     const enum exit_code code = report(&hall);
     free(hall.rounds);
     return (int)code;
