@@ -98,8 +98,8 @@ enum scene_keeps {
 enum scene_watch {
     WATCH_NONE = 0,
     WATCH_NO_LIMIT, /* A service manager is connected, but has no watchdog timeout. */
-    WATCH_FED,
-    WATCH_DEAF, /* The service manager did not accept the last keep-alive message. */
+    WATCH_OK,
+    WATCH_FAIL, /* The service manager did not accept the last keep-alive message. */
 };
 
 /* State of the computer. All fields are 0 if the machine was not checked yet. */

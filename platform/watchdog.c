@@ -62,11 +62,11 @@ static void watchdog_kick(void *self)
     const uint64_t now_ns = watchdog->clock.ops->now_ns(watchdog->clock.self);
     if (!watchdog->reported_ready) {
         watchdog->reported_ready = watchdog_send(watchdog, "READY=1");
-        watchdog->is_deaf = !watchdog->reported_ready;
+        watchdog->send_failed = !watchdog->reported_ready;
     } else if (now_ns - watchdog->last_kick_ns < watchdog->period_ns) {
         return;
     } else {
-        watchdog->is_deaf = !watchdog_send(watchdog, "WATCHDOG=1");
+        watchdog->send_failed = !watchdog_send(watchdog, "WATCHDOG=1");
     }
     watchdog->last_kick_ns = now_ns;
 }
@@ -74,8 +74,8 @@ static void watchdog_kick(void *self)
 static uint8_t watchdog_watches(void *self)
 {
     const struct watchdog *watchdog = self;
-    return watchdog->is_deaf     ? (uint8_t)WATCH_DEAF
-           : watchdog->has_limit ? (uint8_t)WATCH_FED
+    return watchdog->send_failed ? (uint8_t)WATCH_FAIL
+           : watchdog->has_limit ? (uint8_t)WATCH_OK
                                  : (uint8_t)WATCH_NO_LIMIT;
 }
 

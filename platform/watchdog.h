@@ -17,7 +17,7 @@ struct watchdog {
     bool reported_ready; /* True if the service manager has accepted READY=1. */
     /* True if the service manager restarts the kiosk when notifications are missing. */
     bool has_limit;
-    bool is_deaf; /* True if the service manager did not accept the last notification. */
+    bool send_failed; /* True if the service manager did not accept the last notification. */
     char text[HAL_TEXT_SIZE];
 };
 

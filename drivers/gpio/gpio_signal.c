@@ -51,14 +51,14 @@ uint64_t gpio_debounce_due_ns(const struct debounce *debounce)
 
 /* ---- Edge filter: polled levels -------------------------------------------------------------- */
 
-static const struct gpio_poll_edges no_looks = { NEVER, NEVER, NEVER };
+static const struct gpio_poll_edges no_polls = { NEVER, NEVER, NEVER };
 
 struct gpio_edge_filter gpio_edge_filter_begin(uint64_t debounce_ns, bool active, uint64_t now_ns)
 {
     return (struct gpio_edge_filter){
         .debounce = gpio_debounce_begin(debounce_ns, active, now_ns),
         .blinked_ns = NEVER,
-        .other = no_looks,
+        .other = no_polls,
     };
 }
 
@@ -81,11 +81,11 @@ static bool is_proof(const struct gpio_poll_edges *other)
 
 /* Discards the recorded polls. If the polls prove that the line changed and has already changed
  * back, one edge counts as lost, unless a late edge event explains the change (`is_explained`). */
-static void end_looks(struct gpio_edge_filter *input, bool is_explained)
+static void discard_polls(struct gpio_edge_filter *input, bool is_explained)
 {
     const struct gpio_poll_edges *other = &input->other;
     input->lost += !is_explained && is_proof(other) && !is_doubted(other);
-    input->other = no_looks;
+    input->other = no_polls;
 }
 
 /* ---- Edge filter: edges ---------------------------------------------------------------------- */
@@ -104,7 +104,7 @@ static bool take_late(struct gpio_edge_filter *input, uint64_t time_ns,
     /* Later edge events with time stamps up to `accepted_ns` belong to the same pulse and are
      * ignored. */
     input->accepted_ns = back_ns == NEVER ? input->other.last_ns : back_ns;
-    end_looks(input, true);
+    discard_polls(input, true);
     const bool turned = gpio_debounce_edge(debounce, time_ns, !before, out);
     return turned || back_ns == NEVER ? turned : gpio_debounce_edge(debounce, back_ns, before, out);
 }
@@ -155,7 +155,7 @@ bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edg
         (!changes || !is_doubted(other))) {
         return take_late(input, edge->time_ns, out);
     }
-    end_looks(input, false);
+    discard_polls(input, false);
     if (edge->lost_before == 0 && !changes) {
         return take_blink(input, edge, out);
     }
@@ -173,7 +173,7 @@ bool gpio_edge_filter_level(struct gpio_edge_filter *input, uint64_t now_ns, boo
     bool turned = false;
     if (active != input->debounce.raw) {
         if (!is_doubted(other)) {
-            end_looks(input, false);
+            discard_polls(input, false);
             other->since_ns = now_ns;
         }
         other->last_ns = now_ns;
@@ -184,11 +184,11 @@ bool gpio_edge_filter_level(struct gpio_edge_filter *input, uint64_t now_ns, boo
         input->accepted_ns = now_ns;
         input->blinked_ns = NEVER;
         input->lost++;
-        *other = no_looks;
+        *other = no_polls;
     } else if (is_doubted(other)) {
         other->back_ns = now_ns;
         if (!is_proof(other)) {
-            *other = no_looks;
+            *other = no_polls;
         }
     }
     return turned || gpio_debounce_settle(&input->debounce, now_ns, out);

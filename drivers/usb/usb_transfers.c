@@ -154,15 +154,15 @@ void usb_transfers_begin(struct usb_transfers *link, libusb_device_handle *handl
  * which needs no handling. Returns true if at least one of the transfers has not returned yet. */
 static bool cancel(struct usb_transfers *link, uint32_t count)
 {
-    bool is_flying = false;
+    bool is_pending = false;
     CORE_ASSERT(count <= USB_TRANSFER_COUNT);
     for (uint32_t i = 0; i < count; i++) {
         if (link->transfer[i].is_submitted) {
             libusb_cancel_transfer(link->transfer[i].transfer);
-            is_flying = true;
+            is_pending = true;
         }
     }
-    return is_flying;
+    return is_pending;
 }
 
 void usb_transfers_drain(struct usb_transfers *link, bool is_gone)
@@ -215,14 +215,14 @@ bool usb_transfers_service(struct usb_transfers *link)
     if (link->state == USB_TRANSFERS_DRAINING) {
         /* The controller is detached from its port before the device is closed, because closing can
          * take a long time. */
-        bool is_flying = false;
+        bool is_pending = false;
         for (uint32_t i = 0; i < USB_TRANSFER_COUNT; i++) {
-            is_flying |= link->transfer[i].is_submitted;
+            is_pending |= link->transfer[i].is_submitted;
         }
-        if (!is_flying || hal_now_ns(link->clock) >= link->leave_ns) {
+        if (!is_pending || hal_now_ns(link->clock) >= link->leave_ns) {
             usb_transfers_detach(link);
         }
-        if (!is_flying) {
+        if (!is_pending) {
             /* Releasing the interface attaches the kernel driver again if there is one. */
             libusb_release_interface(link->handle, link->pipe.interface_number);
             libusb_close(link->handle);

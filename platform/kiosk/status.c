@@ -174,7 +174,7 @@ static const char *const keeps_names[] = {
     [KEEPS_MEMORY] = "memory",   [KEEPS_NOT] = "not",       [KEEPS_NOWHERE] = "nowhere",
 };
 static const char *const watch_names[] = {
-    [WATCH_NONE] = "none", [WATCH_NO_LIMIT] = "no-limit", [WATCH_FED] = "fed", [WATCH_DEAF] = "deaf"
+    [WATCH_NONE] = "none", [WATCH_NO_LIMIT] = "no-limit", [WATCH_OK] = "fed", [WATCH_FAIL] = "deaf"
 };
 
 #define NAME_OF(names, value, other) name_of(names, sizeof(names) / sizeof(names)[0], value, other)

@@ -99,9 +99,9 @@ enum self_check {
 enum self_state {
     SELF_WAITS = 0,
     SELF_GOOD,
-    SELF_LOOK, /* The kiosk can open, but the part needs attention today. */
+    SELF_WARN, /* The kiosk can open, but the part needs attention today. */
     SELF_BAD,
-    SELF_ASKS,
+    SELF_QUERY,
     SELF_STATES,
 };
 

@@ -118,7 +118,7 @@ void self_test_show(const struct game *game, const struct core_config *config,
         .store = (uint8_t)(is_saved && ledger->is_healthy ? SELF_GOOD
                            : is_late                      ? SELF_BAD
                                                           : SELF_WAITS),
-        .clock = (uint8_t)(ledger->day != 0 ? SELF_GOOD : SELF_LOOK),
+        .clock = (uint8_t)(ledger->day != 0 ? SELF_GOOD : SELF_WARN),
         .seconds_left = (uint8_t)((left + CORE_TICK_HZ - 1u) / CORE_TICK_HZ),
         .day = ledger->day,
         .minute = ledger->minute,
@@ -131,7 +131,7 @@ void self_test_show(const struct game *game, const struct core_config *config,
 
 static uint8_t state_from_answer(uint8_t answer)
 {
-    return answer == SELF_ANSWER_YES ? SELF_GOOD : answer == SELF_ANSWER_NO ? SELF_BAD : SELF_ASKS;
+    return answer == SELF_ANSWER_YES ? SELF_GOOD : answer == SELF_ANSWER_NO ? SELF_BAD : SELF_QUERY;
 }
 
 /* Buttons that the operator must test. TILT and DOOR are not buttons, and no cabinet has a language
@@ -145,21 +145,21 @@ static void evaluate_machine(const struct scene_machine *machine, uint8_t state[
 {
     const bool is_fresh = machine->has_backup && machine->backup_min < SELF_BACKUP_OLD_MIN;
     const bool is_kept = machine->keeps == KEEPS_PROVEN || machine->keeps == KEEPS_FOLDER;
-    state[SELF_WATCHDOG] = machine->watch == WATCH_FED    ? SELF_GOOD
-                           : machine->watch == WATCH_DEAF ? SELF_BAD
-                                                          : SELF_LOOK;
+    state[SELF_WATCHDOG] = machine->watch == WATCH_OK     ? SELF_GOOD
+                           : machine->watch == WATCH_FAIL ? SELF_BAD
+                                                          : SELF_WARN;
     state[SELF_BACKUP] = state[SELF_DATA] = state[SELF_ROOM] = state[SELF_HEAT] = SELF_WAITS;
     if (machine->is_checked) {
-        state[SELF_BACKUP] = is_fresh ? SELF_GOOD : SELF_LOOK;
+        state[SELF_BACKUP] = is_fresh ? SELF_GOOD : SELF_WARN;
         state[SELF_DATA] = machine->keeps == KEEPS_UNKNOWN ? SELF_WAITS
                            : is_kept                       ? SELF_GOOD
                                                            : SELF_BAD;
         state[SELF_ROOM] = machine->room_mib >= SELF_ROOM_LOW_MIB   ? SELF_GOOD
-                           : machine->room_mib >= SELF_ROOM_BAD_MIB ? SELF_LOOK
+                           : machine->room_mib >= SELF_ROOM_BAD_MIB ? SELF_WARN
                                                                     : SELF_BAD;
         state[SELF_HEAT] = !machine->has_heat || machine->heat_margin_c >= SELF_HEAT_NEAR_C
                                ? SELF_GOOD
-                           : machine->heat_margin_c > 0 ? SELF_LOOK
+                           : machine->heat_margin_c > 0 ? SELF_WARN
                                                         : SELF_BAD;
     }
 }
@@ -180,33 +180,33 @@ static void evaluate_parts(const struct scene *scene, uint8_t state[SELF_CHECKS]
     state[SELF_SOUND] = state_from_answer(self->sound_answer);
     state[SELF_LAMP] =
         !self->lamp_answer && !is_wired ? (uint8_t)SELF_GOOD : state_from_answer(self->lamp_answer);
-    state[SELF_COINS] = scene->menu.test_coins > 0 || !is_sold ? SELF_GOOD : SELF_ASKS;
+    state[SELF_COINS] = scene->menu.test_coins > 0 || !is_sold ? SELF_GOOD : SELF_QUERY;
     state[SELF_BUTTONS] = state[SELF_POIS] = SELF_GOOD;
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
         const bool counts = (TRIED_BUTTONS & ~scene->devices.buttons_missing) >> i & 1u;
         if (counts && scene->menu.pressed_count[i] == 0) {
-            state[SELF_BUTTONS] = SELF_ASKS;
+            state[SELF_BUTTONS] = SELF_QUERY;
         }
     }
     for (uint32_t i = 0; i < self->players && i < POI_MAX; i++) {
         if (!(self->present >> i & 1u) || self->worst_age[i] > SELF_TEST_LATE_TICKS) {
             state[SELF_POIS] = SELF_BAD;
         } else if (self->ways[i] != 7u && state[SELF_POIS] == SELF_GOOD) {
-            state[SELF_POIS] = SELF_ASKS;
+            state[SELF_POIS] = SELF_QUERY;
         }
     }
 }
 
 uint32_t self_test_result(const struct scene *scene, uint8_t state[SELF_CHECKS])
 {
-    static const uint8_t order[] = { SELF_ASKS, SELF_BAD, SELF_LOOK, SELF_WAITS };
+    static const uint8_t order[] = { SELF_QUERY, SELF_BAD, SELF_WARN, SELF_WAITS };
     const struct scene_self_test *self = &scene->menu.self;
     const struct scene_machine *machine = &scene->devices.machine;
     evaluate_machine(machine, state);
     evaluate_parts(scene, state);
     state[SELF_STORE] =
-        self->store == SELF_GOOD && machine->quarantined > 0 ? SELF_LOOK : self->store;
-    state[SELF_CLOCK] = machine->is_clock_back ? SELF_LOOK : self->clock;
+        self->store == SELF_GOOD && machine->quarantined > 0 ? SELF_WARN : self->store;
+    state[SELF_CLOCK] = machine->is_clock_back ? SELF_WARN : self->clock;
     state[SELF_FILES] = scene->devices.files_refused == 0 ? SELF_GOOD : SELF_BAD;
     for (uint32_t i = 0; i < SELF_CHECKS; i++) {
         state[i] = state[i] == SELF_WAITS && self->seconds_left == 0 ? (uint8_t)SELF_BAD : state[i];

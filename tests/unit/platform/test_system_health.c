@@ -67,11 +67,11 @@ static struct system_health machine_here(void)
 
 static struct scene_machine look(struct system_health *machine)
 {
-    struct scene_machine status = { .watch = WATCH_DEAF, .missed = 3 };
+    struct scene_machine status = { .watch = WATCH_FAIL, .missed = 3 };
     system_health_sample(machine, &status);
     assert_int_equal(status.is_checked, 1);
     /* `watch` and `missed` belong to the frame loop, so a sample must not change them. */
-    assert_int_equal(status.watch, WATCH_DEAF);
+    assert_int_equal(status.watch, WATCH_FAIL);
     assert_int_equal(status.missed, 3);
     return status;
 }
@@ -194,13 +194,13 @@ static void test_a_quarantined_file_is_counted_until_acknowledged(void **state)
 
 static int is_reported(struct system_health *machine, uint32_t aside)
 {
-    struct scene_machine status = { .watch = WATCH_FED };
+    struct scene_machine status = { .watch = WATCH_OK };
     /* The interval of the checks is longer than the 5 s of this loop. The test therefore passes
      * only if the thread checks at once. */
     for (uint32_t i = 0; i < 500u; i++) {
         system_health_read(machine, &status);
         if (status.is_checked && status.quarantined == aside) {
-            return status.watch == WATCH_FED;
+            return status.watch == WATCH_OK;
         }
         usleep(10000);
     }

@@ -49,11 +49,11 @@ static inline void count_kick(void *self)
     rig.kicks++;
 }
 
-/* Returns WATCH_FED, which is the state of a watchdog that is in use. */
+/* Returns WATCH_OK, which is the state of a watchdog that is in use. */
 static inline uint8_t watches(void *self)
 {
     (void)self;
-    return WATCH_FED;
+    return WATCH_OK;
 }
 
 /* Configuration of the kiosk: a small tank and short rounds. */

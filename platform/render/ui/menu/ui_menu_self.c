@@ -51,21 +51,21 @@ static const enum text_key names[SELF_CHECKS] = {
  * a number, which number_text() returns, or that the check never has the state. */
 static const enum text_key plain[SELF_CHECKS][SELF_STATES] = {
     [SELF_STORE] = { [SELF_GOOD] = TEXT_CHECK_STORE_GOOD,
-                     [SELF_LOOK] = TEXT_CHECK_STORE_LOOK,
+                     [SELF_WARN] = TEXT_CHECK_STORE_LOOK,
                      [SELF_BAD] = TEXT_CHECK_STORE_BAD },
     [SELF_FILES] = { [SELF_GOOD] = TEXT_CHECK_FILES_GOOD, [SELF_BAD] = TEXT_CHECK_FILES_BAD },
     [SELF_WATCHDOG] = { [SELF_GOOD] = TEXT_CHECK_WATCHDOG_GOOD,
-                        [SELF_LOOK] = TEXT_CHECK_WATCHDOG_LOOK,
+                        [SELF_WARN] = TEXT_CHECK_WATCHDOG_LOOK,
                         [SELF_BAD] = TEXT_CHECK_WATCHDOG_BAD },
     [SELF_SOUND] = { [SELF_GOOD] = TEXT_CHECK_SOUND_GOOD,
-                     [SELF_ASKS] = TEXT_CHECK_SOUND_ASK,
+                     [SELF_QUERY] = TEXT_CHECK_SOUND_ASK,
                      [SELF_BAD] = TEXT_CHECK_SOUND_BAD },
-    [SELF_LAMP] = { [SELF_ASKS] = TEXT_CHECK_LAMP_ASK, [SELF_BAD] = TEXT_CHECK_LAMP_BAD },
+    [SELF_LAMP] = { [SELF_QUERY] = TEXT_CHECK_LAMP_ASK, [SELF_BAD] = TEXT_CHECK_LAMP_BAD },
     [SELF_BUTTONS] = { [SELF_GOOD] = TEXT_CHECK_BUTTONS_GOOD,
-                       [SELF_ASKS] = TEXT_CHECK_BUTTONS_ASK },
-    [SELF_COINS] = { [SELF_ASKS] = TEXT_CHECK_COINS_ASK },
+                       [SELF_QUERY] = TEXT_CHECK_BUTTONS_ASK },
+    [SELF_COINS] = { [SELF_QUERY] = TEXT_CHECK_COINS_ASK },
     [SELF_POIS] = { [SELF_GOOD] = TEXT_CHECK_POIS_GOOD,
-                    [SELF_ASKS] = TEXT_CHECK_POIS_ASK,
+                    [SELF_QUERY] = TEXT_CHECK_POIS_ASK,
                     [SELF_BAD] = TEXT_CHECK_POIS_BAD },
 };
 
@@ -101,7 +101,7 @@ static struct text number_text(const struct ui_frame *frame, uint32_t check, uin
             machine->heat_margin_c > 0 ? (uint32_t)machine->heat_margin_c : 0u;
         return !machine->has_heat   ? (struct text){ TEXT_CHECK_HEAT_NONE, 0 }
                : state == SELF_GOOD ? (struct text){ TEXT_CHECK_HEAT_GOOD, margin_c }
-               : state == SELF_LOOK ? (struct text){ TEXT_CHECK_HEAT_LOOK, margin_c }
+               : state == SELF_WARN ? (struct text){ TEXT_CHECK_HEAT_LOOK, margin_c }
                                     : (struct text){ TEXT_CHECK_HEAT_BAD, 0 };
     }
     case SELF_CLOCK:
@@ -177,9 +177,9 @@ static void draw_mark(const struct ui_frame *frame, float x, float y, uint8_t st
     const float u = frame->unit, r = 13.0f * u;
     if (state != SELF_GOOD && state != SELF_BAD) {
         ui_words_at(frame, x, y, 3.0f * r, 0.5f, ui_body(frame, 36.0f, ASK_PAINT),
-                    state == SELF_LOOK   ? "!"
-                    : state == SELF_ASKS ? "?"
-                                         : "...");
+                    state == SELF_WARN    ? "!"
+                    : state == SELF_QUERY ? "?"
+                                          : "...");
         return;
     }
     for (uint32_t i = 0; i < 2u; i++) {

@@ -103,7 +103,7 @@ static const struct status_report full_report = {
     .files_refused = 3,
     .machine = { .is_checked = 1,
                  .keeps = KEEPS_PROVEN,
-                 .watch = WATCH_FED,
+                 .watch = WATCH_OK,
                  .has_backup = 1,
                  .backup_min = 12,
                  .room_mib = 345,

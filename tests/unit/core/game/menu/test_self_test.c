@@ -14,7 +14,7 @@ static uint8_t state_of[SELF_CHECKS];
 static const struct scene_machine well = {
     .is_checked = 1,
     .keeps = KEEPS_PROVEN,
-    .watch = WATCH_FED,
+    .watch = WATCH_OK,
     .has_backup = 1,
     .backup_min = 12,
     .room_mib = 4096,
@@ -133,7 +133,7 @@ static void test_a_manual_check_is_requested_until_it_is_done(void **state)
     judge();
     static const uint8_t asks[] = { SELF_SOUND, SELF_LAMP, SELF_BUTTONS, SELF_COINS };
     for (size_t i = 0; i < sizeof asks; i++) {
-        assert_int_equal(state_of[asks[i]], SELF_ASKS);
+        assert_int_equal(state_of[asks[i]], SELF_QUERY);
     }
     /* The check SELF_POIS fails, because no poi is connected. */
     assert_int_equal(state_of[SELF_POIS], SELF_BAD);
@@ -168,8 +168,8 @@ static void test_each_failed_check_is_named(void **state)
     input.day = 0;
     step();
     assert_int_equal(judge(), SELF_CLOCK);
-    /* A clock that is not set must give a warning (SELF_LOOK), not a failure. */
-    assert_int_equal(state_of[SELF_CLOCK], SELF_LOOK);
+    /* A clock that is not set must give a warning (SELF_WARN), not a failure. */
+    assert_int_equal(state_of[SELF_CLOCK], SELF_WARN);
     input.day = 9000;
     step();
     scene.devices.frames_a_second = 12;
@@ -220,7 +220,7 @@ static void test_the_operators_answers_decide_sound_and_lamps(void **state)
     assert_int_equal(output.coin_lockout, 0);
     take(SELF_AGAIN);
     judge();
-    assert_int_equal(state_of[SELF_SOUND], SELF_ASKS);
+    assert_int_equal(state_of[SELF_SOUND], SELF_QUERY);
 }
 
 /* Each row has a check, its expected result, and the health values that must cause this result.
@@ -229,8 +229,8 @@ static const struct {
     uint8_t check, wanted;
     struct scene_machine but;
 } health_rows[] = {
-    { SELF_BACKUP, SELF_LOOK, { .has_backup = 0 } },
-    { SELF_BACKUP, SELF_LOOK, { .has_backup = 1, .backup_min = SELF_BACKUP_OLD_MIN } },
+    { SELF_BACKUP, SELF_WARN, { .has_backup = 0 } },
+    { SELF_BACKUP, SELF_WARN, { .has_backup = 1, .backup_min = SELF_BACKUP_OLD_MIN } },
     { SELF_BACKUP, SELF_GOOD, { .has_backup = 1, .backup_min = SELF_BACKUP_OLD_MIN - 1u } },
     { SELF_DATA, SELF_WAITS, { .keeps = KEEPS_UNKNOWN } },
     { SELF_DATA, SELF_GOOD, { .keeps = KEEPS_PROVEN } },
@@ -239,21 +239,21 @@ static const struct {
     { SELF_DATA, SELF_BAD, { .keeps = KEEPS_NOT } },
     { SELF_DATA, SELF_BAD, { .keeps = KEEPS_NOWHERE } },
     { SELF_ROOM, SELF_GOOD, { .room_mib = SELF_ROOM_LOW_MIB } },
-    { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_LOW_MIB - 1u } },
-    { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_BAD_MIB } },
+    { SELF_ROOM, SELF_WARN, { .room_mib = SELF_ROOM_LOW_MIB - 1u } },
+    { SELF_ROOM, SELF_WARN, { .room_mib = SELF_ROOM_BAD_MIB } },
     { SELF_ROOM, SELF_BAD, { .room_mib = SELF_ROOM_BAD_MIB - 1u } },
     /* A machine without a temperature sensor must pass the check. */
     { SELF_HEAT, SELF_GOOD, { .has_heat = 0, .heat_margin_c = -5 } },
     { SELF_HEAT, SELF_GOOD, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C } },
-    { SELF_HEAT, SELF_LOOK, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C - 1 } },
-    { SELF_HEAT, SELF_LOOK, { .has_heat = 1, .heat_margin_c = 1 } },
+    { SELF_HEAT, SELF_WARN, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C - 1 } },
+    { SELF_HEAT, SELF_WARN, { .has_heat = 1, .heat_margin_c = 1 } },
     { SELF_HEAT, SELF_BAD, { .has_heat = 1, .heat_margin_c = 0 } },
-    { SELF_WATCHDOG, SELF_GOOD, { .watch = WATCH_FED } },
-    { SELF_WATCHDOG, SELF_LOOK, { .watch = WATCH_NONE } },
-    { SELF_WATCHDOG, SELF_LOOK, { .watch = WATCH_NO_LIMIT } },
-    { SELF_WATCHDOG, SELF_BAD, { .watch = WATCH_DEAF } },
-    { SELF_STORE, SELF_LOOK, { .quarantined = 1 } },
-    { SELF_CLOCK, SELF_LOOK, { .is_clock_back = 1 } },
+    { SELF_WATCHDOG, SELF_GOOD, { .watch = WATCH_OK } },
+    { SELF_WATCHDOG, SELF_WARN, { .watch = WATCH_NONE } },
+    { SELF_WATCHDOG, SELF_WARN, { .watch = WATCH_NO_LIMIT } },
+    { SELF_WATCHDOG, SELF_BAD, { .watch = WATCH_FAIL } },
+    { SELF_STORE, SELF_WARN, { .quarantined = 1 } },
+    { SELF_CLOCK, SELF_WARN, { .is_clock_back = 1 } },
 };
 
 static void test_every_system_health_row_has_every_state(void **state)
@@ -327,8 +327,8 @@ static void test_absent_hardware_is_not_checked(void **state)
 {
     (void)state;
     judge();
-    assert_int_equal(state_of[SELF_COINS], SELF_ASKS);
-    assert_int_equal(state_of[SELF_LAMP], SELF_ASKS);
+    assert_int_equal(state_of[SELF_COINS], SELF_QUERY);
+    assert_int_equal(state_of[SELF_LAMP], SELF_QUERY);
     core.config.persistent.settings.value[SET_PLAY] = PLAY_FREE;
     scene.devices.lines[0] = '\0';
     judge();
@@ -361,7 +361,7 @@ static void test_a_button_without_a_line_is_not_requested(void **state)
     push(INPUT_SERVICE);
     push(INPUT_START);
     judge();
-    assert_int_equal(state_of[SELF_BUTTONS], SELF_ASKS);
+    assert_int_equal(state_of[SELF_BUTTONS], SELF_QUERY);
     scene.devices.buttons_missing = INPUT_LEFT | INPUT_RIGHT | INPUT_OK;
     judge();
     assert_int_equal(state_of[SELF_BUTTONS], SELF_GOOD);

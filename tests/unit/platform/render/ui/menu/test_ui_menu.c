@@ -522,12 +522,12 @@ static void test_the_opening_checklist_fits_its_page_in_every_state(void **state
     /* clang-format off */
     static const struct scene_machine machines[] = {
         { 0 },
-        { .is_checked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_FED, .has_backup = 1,
+        { .is_checked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_OK, .has_backup = 1,
           .backup_min = 179, .room_mib = 4294967295u, .has_heat = 1, .heat_margin_c = 2147483647 },
         { .is_checked = 1, .keeps = KEEPS_FOLDER, .watch = WATCH_NO_LIMIT, .has_backup = 1,
           .backup_min = 4294967295u, .room_mib = 63, .has_heat = 1, .heat_margin_c = 9,
           .quarantined = 4294967295u },
-        { .is_checked = 1, .keeps = KEEPS_MEMORY, .watch = WATCH_DEAF, .room_mib = 7,
+        { .is_checked = 1, .keeps = KEEPS_MEMORY, .watch = WATCH_FAIL, .room_mib = 7,
           .has_heat = 1, .heat_margin_c = -2147483647, .is_clock_back = 1 },
         { .is_checked = 1, .keeps = KEEPS_NOT }, { .is_checked = 1, .keeps = KEEPS_NOWHERE },
         { .is_checked = 255, .keeps = 255, .watch = 255 },
@@ -547,7 +547,7 @@ static void test_the_opening_checklist_fits_its_page_in_every_state(void **state
             .lamp_answer = (uint8_t)(way % 3u),
             .players = 4,
             .store = (uint8_t)(way % SELF_STATES),
-            .clock = way & 1u ? SELF_GOOD : SELF_LOOK,
+            .clock = way & 1u ? SELF_GOOD : SELF_WARN,
             .seconds_left = way & 2u ? 20u : 0u,
             .day = 65535u,
             .minute = 1439u,
