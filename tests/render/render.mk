@@ -112,7 +112,7 @@ MANUAL_PICTURES := menu:top:money picture:picture:card ranking:ranking:score boo
     lines:lines:axes upkeep:files:about calibration:calibration@3:calibration@6 \
     selftest:selftest:machine
 
-## picture/manual-pictures: Draw the pictures of board/MANUAL.md (needs ImageMagick)
+## picture/manual-pictures: Draw the pictures of the manual (needs ImageMagick)
 manual-pictures: $(BUILD)/tests/render/shot
 	@mkdir -p $(PICTURE)
 	@set -e; for row in $(MANUAL_PICTURES); do IFS=: read -r name left right <<<"$$row"; \
