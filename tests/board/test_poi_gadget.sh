@@ -192,15 +192,15 @@ for shell in "${shells[@]}"; do
     check "$shell: an unknown command is wrong usage" refuses 2 'COMMAND' restart
 done
 
-# The README lists the descriptor item by item.
-readme_bytes() {
-    sed -nE 's/^\| `([0-9a-f ]+)` \|.*/\1/p' board/poi-gadget/README.md | tr -s ' \n' ' ' | sed 's/ $//'
+# The page of the reports lists the descriptor item by item.
+page_bytes() {
+    sed -nE 's/^\| `([0-9a-f ]+)` \|.*/\1/p' board/poi-gadget/REPORTS.md | tr -s ' \n' ' ' | sed 's/ $//'
 }
 same_bytes() {
-    echo "README: $(readme_bytes)"
-    [ "$(readme_bytes)" = "$("$build/kingyo-poi" descriptor --hex | tr -s ' \n' ' ' | sed 's/ $//')" ]
+    echo "page: $(page_bytes)"
+    [ "$(page_bytes)" = "$("$build/kingyo-poi" descriptor --hex | tr -s ' \n' ' ' | sed 's/ $//')" ]
 }
-check "the README lists the bytes of the program's descriptor" same_bytes
+check "the page of the reports lists the bytes of the program's descriptor" same_bytes
 
 # The installation commands of the README, into a folder that replaces /.
 installs() (
@@ -214,18 +214,18 @@ installs() (
 )
 check 'the installation commands of the README work' installs
 
-# The table of fields in the README against the output of kingyoctl for the same bytes.
-readme_fields() { # Prints bit offset, bits, usage, logical and physical range.
+# The table of fields in the page of the reports, compared with the output of kingyoctl for the same bytes.
+page_fields() { # Prints bit offset, bits, usage, logical and physical range.
     awk -F'|' '/^\| 1 \| [0-9]+ \|/ { for (i = 3; i <= 9; i++) gsub(/[ `]/, "", $i)
-        print $3, $4, $5, $6, $7, $8, $9 }' board/poi-gadget/README.md
+        print $3, $4, $5, $6, $7, $8, $9 }' board/poi-gadget/REPORTS.md
 }
 same_fields() {
     "$build/kingyo-poi" descriptor --hex >"$work/poi.hid"
     "$build/kingyoctl" hid describe "$work/poi.hid" | tail -n +2 |
         awk -F'\t' '{ print $4, $5, $11, $12, $13, $14, $15 }' >"$work/read"
-    diff "$work/read" <(readme_fields) && [ "$(wc -l <"$work/read")" -eq 15 ]
+    diff "$work/read" <(page_fields) && [ "$(wc -l <"$work/read")" -eq 15 ]
 }
-check 'the table of fields in the README agrees with kingyoctl' same_fields
+check 'the table of fields in the page agrees with kingyoctl' same_fields
 
 # The files that the system of a board reads. The programs of the unit are created, because only
 # its text is checked.
