@@ -328,14 +328,18 @@ bool storage_has_card(struct storage *storage)
 void storage_save_deleted(struct storage *storage)
 {
     CORE_ASSERT(storage_unwritten(storage) <= STORAGE_QUEUE_MAX);
-    static const char *const names[] = { "", STORAGE_BACKUP_SUFFIX, STORAGE_MIRROR_SUFFIX,
-                                         STORAGE_NEW_SUFFIX };
+    static const char *const names[] = { "", STORAGE_NEW_SUFFIX, STORAGE_BACKUP_SUFFIX,
+                                         STORAGE_MIRROR_SUFFIX };
+    /* If only the database was deleted, the backup and the mirror in the folder belong to the
+     * database. The new backup replaces the older backup. */
+    const bool is_in_own_folder = storage->hold > 0 && !has_folder_left(storage);
+    const size_t name_count = is_in_own_folder ? 2u : sizeof names / sizeof names[0];
     const struct storage_path backup = storage_path(storage, STORAGE_BACKUP_SUFFIX, "");
     if (!storage->moved || !storage->file.db || !is_deleted(storage) ||
         file_make_folder(storage->dir) != 0) {
         return;
     }
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+    for (size_t i = 0; i < name_count; i++) {
         if (storage_has_path(storage_path(storage, names[i], "").text)) {
             return;
         }

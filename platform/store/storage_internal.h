@@ -66,8 +66,10 @@ bool storage_needs_reopening(int code);
 
 /* Returns true if the open database, its log or its folder is no longer at its path. */
 bool storage_has_moved(struct storage *storage);
-/* Saves a deleted database and all queued entries as a backup. Does nothing if a database, backup
- * or mirror exists at the old path. */
+/* Saves a deleted database and all queued entries as a backup. Does nothing if a database or a
+ * complete replacement of the database exists at the old path. If the folder was deleted too, a
+ * backup or mirror in a new folder at the old path belongs to another ledger, and nothing is
+ * saved. */
 void storage_save_deleted(struct storage *storage);
 
 /* ---- storage_thread.c ---------------------------------------------------------------------- */

@@ -121,15 +121,25 @@ static int open_tail(struct storage *storage)
     return result;
 }
 
-/* Opens the mirror and copies missing entries up to the id `last_id`. Returns 0 or -1. */
+/* Returns true if the open mirror is no longer at its path, because the file was deleted, renamed
+ * or replaced. The next program start would not find its entries. */
+static bool has_mirror_left(const struct storage *storage)
+{
+    struct stat held, named;
+    const struct storage_path path = storage_path(storage, STORAGE_MIRROR_SUFFIX, "");
+    return storage->tail.handle > 0 && fstat(storage->tail.handle, &held) == 0 &&
+           !(lstat(path.text, &named) == 0 && named.st_dev == held.st_dev &&
+             named.st_ino == held.st_ino);
+}
+
+/* Opens the mirror and copies missing entries up to the id `last_id`. A mirror that is no longer at
+ * its path is replaced by a complete one. Returns 0 or -1. */
 static int make_ready(struct storage *storage, uint32_t last_id)
 {
     CORE_ASSERT(storage->file.db);
-    /* Detects that the mirror file was deleted while it was open. */
-    struct stat about;
-    if (storage->tail.handle > 0 && fstat(storage->tail.handle, &about) == 0 &&
-        about.st_nlink == 0) {
+    if (has_mirror_left(storage)) {
         ledger_mirror_close(&storage->tail);
+        storage->tail_from = 1;
     }
     int result = storage->tail.handle > 0 ? 0 : open_tail(storage);
     if (result == 0) {
@@ -332,11 +342,11 @@ void storage_work(struct storage *storage)
     }
     if (storage_has_card(storage)) {
         drain(storage);
-        /* Completes the mirror after a failed write if no entry waits in the queue. If entries
-         * wait, the write of the next batch completes the mirror, and the store must stay unhealthy
-         * until then. */
-        if (storage->tail_from > 0 && storage_unwritten(storage) == 0 && storage->file.db &&
-            !storage->file.refusal) {
+        /* Completes the mirror after a failed write, and replaces a mirror that is no longer at its
+         * path, if no entry waits in the queue. If entries wait, the write of the next batch
+         * completes the mirror, and the store must stay unhealthy until then. */
+        if ((storage->tail_from > 0 || has_mirror_left(storage)) &&
+            storage_unwritten(storage) == 0 && storage->file.db && !storage->file.refusal) {
             note_mirror(storage, make_ready(storage, atomic_load(&storage->saved_id)), 0);
         }
     }

@@ -443,18 +443,60 @@ static void test_entries_missing_only_from_the_mirror_are_not_counted_as_lost(vo
     assert_int_equal(ask(file, "SELECT max(id) FROM entries"), 3);
 }
 
+static void mirror_has_all(uint32_t last_id)
+{
+    struct ledger_entry found;
+    struct ledger_mirror tail = ledger_mirror_inspect(tail_path);
+    for (uint32_t id = 1; id <= last_id; id++) {
+        assert_true(ledger_mirror_entry(&tail, id, &found));
+    }
+    assert_int_equal(ledger_mirror_last_id(&tail), last_id);
+    ledger_mirror_close(&tail);
+}
+
 static void test_a_removed_mirror_is_rewritten_completely(void **state)
 {
     (void)state;
-    struct ledger_entry found;
     reopen();
     play_rounds(1, 4);
     assert_int_equal(unlink(tail_path), 0);
     play_rounds(5, 5);
-    struct ledger_mirror tail = ledger_mirror_inspect(tail_path);
-    assert_true(ledger_mirror_entry(&tail, 1, &found));
-    assert_int_equal(ledger_mirror_last_id(&tail), 5);
-    ledger_mirror_close(&tail);
+    mirror_has_all(5);
+}
+
+/* The open descriptor of a renamed mirror can still be written, but no start reads the file. */
+static void test_a_renamed_or_replaced_mirror_is_rewritten_completely(void **state)
+{
+    (void)state;
+    char away[160];
+    snprintf(away, sizeof away, "%s/away", whole);
+    reopen();
+    play_rounds(1, 4);
+    assert_int_equal(rename(tail_path, away), 0);
+    play_rounds(5, 5);
+    mirror_has_all(5);
+    assert_int_equal(rename(away, tail_path), 0);
+    play_rounds(6, 6);
+    mirror_has_all(6);
+}
+
+static void test_a_removed_mirror_is_rewritten_while_nothing_is_written(void **state)
+{
+    (void)state;
+    reopen();
+    play_rounds(1, 4);
+    assert_int_equal(unlink(tail_path), 0);
+    storage_work(&storage);
+    mirror_has_all(4);
+    /* A failed attempt is reported and repeated. */
+    assert_int_equal(unlink(tail_path), 0);
+    assert_int_equal(mkdir(tail_path, 0755), 0);
+    storage_work(&storage);
+    assert_false(device.ledger.ops->is_healthy(device.ledger.self));
+    assert_int_equal(rmdir(tail_path), 0);
+    storage_work(&storage);
+    assert_true(device.ledger.ops->is_healthy(device.ledger.self));
+    mirror_has_all(4);
 }
 
 static void test_a_withdrawn_name_is_removed_from_the_mirror(void **state)
@@ -508,6 +550,8 @@ int main(void)
         TEST(test_without_a_writable_mirror_nothing_is_acknowledged),
         TEST(test_entries_missing_only_from_the_mirror_are_not_counted_as_lost),
         TEST(test_a_removed_mirror_is_rewritten_completely),
+        TEST(test_a_renamed_or_replaced_mirror_is_rewritten_completely),
+        TEST(test_a_removed_mirror_is_rewritten_while_nothing_is_written),
         TEST(test_a_withdrawn_name_is_removed_from_the_mirror),
         TEST(test_a_backup_is_made_before_the_mirror_wraps),
     };

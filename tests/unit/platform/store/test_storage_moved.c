@@ -211,6 +211,38 @@ static void test_a_deleted_or_replaced_file_is_detected(void **state)
                       "rm data/old data/kingyo.db-*");
 }
 
+/* Only the database is deleted, or the database and its mirror. The folder keeps a backup that has
+ * fewer entries. */
+static void test_a_database_deleted_beside_its_backup_is_saved_at_the_end(void **state)
+{
+    (void)state;
+    static struct persistent_state memory;
+    static const char *const commands[] = { "rm data/kingyo.db",
+                                            "rm data/kingyo.db data/kingyo.db.tail" };
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
+        begin(true);
+        keep(1);
+        storage_work(&storage); /* Also makes the backup. */
+        keep(2);
+        storage_work(&storage);
+        assert_int_equal(saved_id(), 2);
+        do_shell("test -s data/kingyo.db.backup");
+        do_shell(commands[i]);
+        storage_work(&storage);
+        assert_false(is_well());
+        keep(3);
+        storage_work(&storage);
+        assert_int_equal(saved_id(), 2);
+        assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
+        begin(true);
+        assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
+        assert_int_equal(memory.ledger.last_id, 3);
+        assert_int_equal(memory.audits.count[AUDIT_COINS_1], 3);
+        device.ledger.ops->close(device.ledger.self);
+        do_shell("rm -rf data");
+    }
+}
+
 static void test_a_deleted_log_is_detected_and_loses_nothing(void **state)
 {
     (void)state;
@@ -321,6 +353,7 @@ int main(void)
         TEST(test_a_replaced_folder_is_detected_and_the_old_one_is_used_again),
         TEST(test_a_foreign_database_folder_in_its_place_is_detected),
         TEST(test_a_deleted_or_replaced_file_is_detected),
+        TEST(test_a_database_deleted_beside_its_backup_is_saved_at_the_end),
         TEST(test_a_deleted_log_is_detected_and_loses_nothing),
         TEST(test_a_deleted_log_is_reported_and_the_database_is_reopened),
         TEST(test_a_log_deleted_right_before_the_end_loses_nothing),
