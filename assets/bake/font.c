@@ -21,8 +21,8 @@
 #include "core/base/printable.h"
 
 #define GLYPHS_MAX 2048u
-/* Width of the margin around a glyph in atlas pixels. Texels at this distance outside the outline
- * have the value 0 (FONT_EDGE / FONT_STEP). */
+/* Width of the margin around a glyph in atlas pixels. The margin is FONT_EDGE / FONT_STEP pixels
+ * wide. Texels at this distance outside the outline have the value 0. */
 #define FONT_PADDING 10
 #define KEY_PATTERNS_MAX 192u
 

@@ -37,8 +37,9 @@ static float bend(uint32_t plank, float x, float y, float *core)
     return shift;
 }
 
-/* Returns the brightness of the wood at (x, y). The wood is cut lengthwise. Its growth rings are a
- * slowly varying height that is divided into growth seasons with sharp edges. */
+/* Returns the brightness of the wood at (x, y). The wood is cut lengthwise. Each growth ring is one
+ * unit of the slowly varying value `ring`. Within a ring, the wood darkens slowly and then becomes
+ * light again abruptly. */
 static float grain(uint32_t plank, float x, float y, float *core)
 {
     const float shifted = y - bend(plank, x, y, core);

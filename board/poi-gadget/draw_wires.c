@@ -59,8 +59,8 @@ enum draw_wires_result draw_wires_meet(const vec3 spool_m[DRAW_WIRE_COUNT],
      * is the point on the poi's neck at which the three wires meet. If the wires are too short to
      * meet, `below` is negative. */
     const float below = a - x_m * x_m - y_m * y_m;
-    /* A small negative value is tolerated. The limit corresponds to wires that are too short by
-     * DRAW_WIRE_SLACK_M. */
+    /* A small negative value of `below` is tolerated. The limit corresponds to wires that are too
+     * short by DRAW_WIRE_SLACK_M. */
     if (below < -2.0f * DRAW_WIRE_SLACK_M * length_m[0]) {
         return DRAW_WIRES_APART;
     }

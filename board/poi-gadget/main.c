@@ -158,8 +158,8 @@ static enum exit_code run_poi_command(const char *name, struct arguments *argume
     if (!arguments->config && !arguments->simulate && !arguments->script) {
         arguments->config = CONFIG_DEFAULT;
     }
-    /* If the command line names no configuration file, the default values apply. They are
-     * sufficient for simulated sensors. */
+    /* If the command line names no configuration file, the default values apply. The default values
+     * are sufficient for simulated sensors. */
     poi_config_init(&config);
     if (arguments->config && !poi_config_load(&config, arguments->config)) {
         return access(arguments->config, R_OK) == 0 ? EXIT_BAD_DATA : EXIT_IO;

@@ -126,8 +126,8 @@ void pose_line_write(const struct poi_report *report, char text[POSE_LINE_SIZE])
 
 /* ---- Motion from pose to pose ---------------------------------------------------------------- */
 
-/* Tolerance in seconds when the end of a motion is detected. It is needed because the sum of ten
- * steps of 0.01 s is not exactly 0.1 s in binary floating point. */
+/* Tolerance in seconds when the end of a motion is detected. The tolerance is needed because the
+ * sum of ten steps of 0.01 s is not exactly 0.1 s in binary floating point. */
 #define ROUNDING_S 1e-4f
 
 bool pose_glide_is_there(const struct pose_glide *glide)

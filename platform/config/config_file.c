@@ -99,8 +99,8 @@ static void read_setting(struct reading *reading, uint32_t id, const char *key, 
     CORE_ASSERT(id < SETTING_COUNT);
     char range[SETTING_RANGE_MAX];
     struct options_query_result *file = &reading->options->file;
-    /* Configuration files from before the menu had rows for these two settings list them in
-     * [devices]. */
+    /* In configuration files of older versions, the settings SET_DIP and SET_REACH are in the
+     * section [devices]. This section is still accepted for these two settings. */
     const bool was_device = id == SET_DIP || id == SET_REACH;
     const char *own = setting_section(settings_entry(id)->group);
     const bool is_old = was_device && strcmp(reading->section, "devices") == 0;

@@ -69,7 +69,7 @@ extern const char *const options_mode_names[];
 /* Names of the levels in the order of enum level, followed by null. */
 extern const char *const options_level_names[];
 
-/* The table of the options. Its target is struct options. */
+/* Table of the options of `kingyo`. The values of the options are stored in a struct options. */
 extern const struct option_table options_table;
 
 /* Parses `argv` into `options`, starting with argv[1]. Options that `argv` does not contain keep

@@ -111,7 +111,7 @@ static enum kiosk_end demo_run_frames(struct demo *demo)
     const struct output *output = &session->kiosk.output;
     const bool is_replay = session->options.replay[0] != '\0';
     enum kiosk_end end = KIOSK_RUNS;
-    /* Runs frames without pictures until the pois are over the water in the round. Before, the
+    /* Runs frames without pictures until the pois are over the water in the round. Until then the
      * bot's poi is beside the tank. */
     while (!is_replay && end == KIOSK_RUNS && !*session->stop &&
            !(output->phase == PHASE_ROUND && output->tick - output->round_tick >= IN_ROUND_TICKS) &&
@@ -265,8 +265,8 @@ void demo_sheet_clear(struct contact_sheet *sheet)
 }
 
 struct span {
-    /* First source pixel that a target pixel covers (`begin`), and the source pixel after the last
-     * one (`end`). At least one pixel is covered. */
+    /* Source pixels that one target pixel covers, at least one: `begin` is the index of the first
+     * pixel, and `end` is the index of the last pixel plus 1. */
     uint32_t begin, end;
 };
 

@@ -7,9 +7,9 @@
 
 /* Maximum number of ticks per frame (0.5 s). Further ticks are dropped, because running them would
  * delay the next frame again. The maximum is high because a tick takes much less time than a
- * picture. It is also high because dropped ticks affect the game: players continue to move during
- * the dropped time. The next ticks then contain this motion too. The poi would move faster than the
- * player did, and would tear the paper. */
+ * picture. The maximum is also high because dropped ticks affect the game. Players continue to move
+ * during the dropped time, and the next ticks contain this motion too. The poi would then move
+ * faster than the player did, and would tear the paper. */
 #define FRAME_PACER_TICKS_MAX 60u
 
 struct frame_pacer {

@@ -370,8 +370,9 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     if (tick_count > 0) {
         kiosk_send_results(kiosk, hal);
     }
-    present_picture(kiosk, hal); /* The picture is last because it may wait for the screen, and
-                                    sounds must not be delayed. */
+    /* The picture is presented last, because presenting may block until the screen is refreshed.
+     * Sounds must not wait that long. */
+    present_picture(kiosk, hal);
     if (tick_count > 0) {
         hal->watchdog.ops->kick(hal->watchdog.self); /* The watchdog is notified only after a frame
                                                         with ticks. The watchdog therefore restarts

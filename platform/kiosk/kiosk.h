@@ -95,7 +95,8 @@ struct kiosk {
     /* Time of the next attempt to reopen a lost display. 0 means that the display is open. */
     uint64_t display_retry_ns;
     struct output_dimmer dimmer;
-    /* Last sent to the pois: true if a dip scoops fish, false if the poi is only a pointer. */
+    /* Value that was last sent to the pois: true if a dip scoops fish, false if the poi is only a
+     * pointer. */
     bool scoops;
     struct view view; /* Camera view that was last sent to the display and the pois. */
     /* Display settings (rotation, margins, brightness) that were last sent to the display and the

@@ -72,7 +72,8 @@ bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *st
     struct batch batch = { .status = core_status(core),
                            .audits = core_audits(core),
                            .stored = &flush->stored };
-    /* The store has written the last transfer, so its amounts now count as stored. */
+    /* The store has written the last transfer, so the amounts of this transfer now count as
+     * stored. */
     if (flush->is_sending && store->ops->offline_merged(store->self) == HAL_OK) {
         flush->stored = flush->sent;
         flush->stored_balance = flush->sent_balance;
@@ -109,8 +110,8 @@ bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *st
     }
     if (batch.count == 0) {
         add_entry(&batch, LEDGER_HEALTH, 0, 0,
-                  /* The change of the balance needs an entry to carry it. A health entry whose
-                   * counts are all 0 stores nothing else. */
+                  /* The store writes a balance only as a part of an entry. A health entry whose
+                   * counts are all 0 changes nothing except the balance. */
                   0);
     }
     if (store->ops->merge_offline(store->self, &step, batch.entries, batch.count) == HAL_OK) {

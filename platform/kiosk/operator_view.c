@@ -38,8 +38,8 @@ static void copy_line(char *out, size_t out_size, const char *line)
     memcpy(out + kept, more, sizeof more);
 }
 
-/* Returns the row of the store. The state is read in each frame because a card may become full
- * while the kiosk runs. */
+/* Returns the row of the store. The state is read in each frame because the memory card may become
+ * full while the kiosk runs. */
 static struct scene_file store_row(const struct hal_storage *store)
 {
     struct scene_file row = {

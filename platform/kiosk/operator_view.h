@@ -50,7 +50,9 @@ uint8_t operator_view_file_count(const struct operator_notes *notes);
 
 /* State of all button and coin lines, with counts since program start. */
 struct operator_view_lines {
-    uint32_t raw, missing; /* Values of the newest struct button_sample, one bit for each line. */
+    /* Values of the newest button sample, one bit for each line: level before debouncing (`raw`),
+     * and missing GPIO line (`missing`). See struct button_sample. */
+    uint32_t raw, missing;
     struct line_sample line[HAL_LINE_COUNT];
     uint32_t coins[COIN_LINE_COUNT];
 };

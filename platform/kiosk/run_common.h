@@ -41,9 +41,10 @@ struct run_common {
 /* Validates the whole recording of --replay before any device is opened. Returns an exit code. */
 enum exit_code run_common_check(struct run_common *session);
 
-/* Starts the kiosk on session->hal, with the recording or replay of the options. Reads species
- * files from the data folder. The caller owns `config`; a replay replaces config->core. Returns an
- * exit code. Reports all errors before it returns. */
+/* Starts the kiosk on the devices of session->hal. The option --record also starts a recording, and
+ * the option --replay starts a replay. Reads species files from the data folder. The caller owns
+ * `config`. A replay replaces config->core. Returns an exit code. Reports all errors before it
+ * returns. */
 enum exit_code run_common_begin(struct run_common *session, struct kiosk_config *config);
 
 /* Adds a rejected file, "FILE: reason", to the operator's messages. `self` is a struct

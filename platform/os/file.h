@@ -41,9 +41,9 @@ int file_user_handle(const char *path, int flags, mode_t mode);
 /* Gives the regular file `path`, which is relative to the folder with the descriptor `folder`, to
  * the user `owner` and the group `group`, and sets its mode. The folder of the file may belong to
  * another user, who can replace the file at any time. Therefore only a file that belongs to the
- * calling user and has no other name is changed, and symbolic links are not followed. Returns 0. On
- * an error returns -1 and sets errno: EPERM for a file of another user or with several names,
- * otherwise as file_handle() does. */
+ * calling user and has a single hard link is changed, and symbolic links are not followed. Returns
+ * 0. On an error returns -1 and sets errno: EPERM for a file of another user or with several hard
+ * links, otherwise as file_handle() does. */
 int file_give_at(int folder, const char *path, uid_t owner, gid_t group, mode_t mode);
 
 /* Returns true if `path` is not a regular file, so that file_handle() rejects it. Returns false for

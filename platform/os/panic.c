@@ -96,7 +96,8 @@ static void on_fatal(int number)
     }
     panic_report(name);
     signal(number, SIG_DFL);
-    /* The raised signal is delivered when this signal handler returns. It then ends the process. */
+    /* The raised signal is delivered when this signal handler returns. The signal then ends the
+     * process. */
     raise(number);
 }
 

@@ -5,8 +5,9 @@
  * Marks move and fade between key shapes as in paint_at(). If only the sheets of the key shapes
  * were blended, a moving mark would appear twice. Therefore up to FISH_TEXTURE_SHEETS sheets are
  * painted, and two neighbouring sheets are blended. A sheet is first painted coarsely, with
- * interpolation between points. The following frames paint the sheets finely, beginning with the
- * sheets that are nearest in the series to the two blended sheets of the largest fish. */
+ * interpolation between points. The following frames paint the sheets finely (at full resolution),
+ * beginning with the sheets that are nearest in the series to the two blended sheets of the largest
+ * fish. */
 #pragma once
 
 #include "core/morph/morph.h"
@@ -21,7 +22,8 @@
     (PAINT_SIZE / PAINT_BAND) /* Number of bands (groups of PAINT_BAND texel rows) of a sheet. */
 
 struct fish_texture {
-    /* Copy of the species, because its coats are read as long as the texture is used. */
+    /* Copy of the species. Its coats (the paint of each key shape) are read as long as the texture
+     * is used. */
     struct species species;
     /* Marks that the shader draws as lines (fish_texture_lines()). The sheets are painted without
      * these marks. */
@@ -53,14 +55,14 @@ void fish_texture_bind(struct fish_texture *skin, const struct species *species)
 void fish_texture_request(struct fish_texture *skin, struct paint_brush *brush,
                           const float weights[MORPH_KEY_MAX], float length_px, float sheets[3]);
 
-/* Paints up to `bands` more bands of a sheet finely, in about 1 ms each. Stops early when all
- * sheets are finished. Returns how many of the `bands` were not painted. */
+/* Paints up to `bands` more bands of a sheet at full resolution, in about 1 ms each. Stops early
+ * when all sheets are finished. Returns how many of the `bands` were not painted. */
 uint32_t fish_texture_work(struct fish_texture *skin, struct paint_brush *brush, uint32_t bands);
 
-/* Returns true if the sheets that the largest fish shows are painted finely. See
+/* Returns true if the sheets that the largest fish shows are painted at full resolution. See
  * fish_texture_request(). */
 bool fish_texture_is_fine(const struct fish_texture *skin);
-/* Returns true if all sheets are painted finely. */
+/* Returns true if every sheet is painted at full resolution. */
 bool fish_texture_is_done(const struct fish_texture *skin);
 
 /* Maximum number of line sets that the shader draws on one fish. A line set is a series of lines

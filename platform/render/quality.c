@@ -11,11 +11,13 @@
 /* A kind of graphics hardware, with the amount of drawing that this hardware can do in a frame. */
 struct machine {
     bool software;
-    float pixels;       /* Maximum number of scene pixels in a frame, regardless of the screen
+    float pixels;      /* Maximum number of scene pixels in a frame, regardless of the screen
                           size. */
-    float floor_scale;  /* Resolution of the floor and the walls, which have no fine detail, as a
+    float floor_scale; /* Resolution of the floor and the walls, which have no fine detail, as a
                           fraction of the scene's resolution. */
-    float mirror_scale; /* Resolution of the reflections on the water surface, likewise. */
+    /* Resolution of the reflections on the water surface, as a fraction of the scene's
+     * resolution. */
+    float mirror_scale;
     uint32_t samples;
     float lod_near_px; /* Minimum fish length in pixels from which the near mesh is used. In a
                           shorter fish, the triangles of the near mesh would cover only a few pixels
@@ -95,9 +97,9 @@ struct quality quality_choose(const struct quality_request *request)
     return quality;
 }
 
-/* Shares of the best quality at each step. The order is that of what a viewer notices least: the
- * meshes of distant fish, the floor, the reflections, the screen without its words, and at last the
- * fish. */
+/* Fractions of the best quality at each step. The change that a viewer notices least comes first.
+ * The order is: the meshes of distant fish, the floor, the reflections, the screen without its
+ * words, the fish. */
 static const struct share {
     float lod, floor, mirror, screen, scene;
 } shares[QUALITY_STEP_MAX + 1u] = {

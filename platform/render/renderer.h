@@ -42,7 +42,9 @@ enum render_step {
     STEP_GROUND,      /* Floor and walls. */
     STEP_LIFE,        /* Fish, and the parts of pois and bowls that are below the water surface. */
     STEP_SURFACE,     /* Water surface. */
-    STEP_ABOVE,       /* Bowls, rim, counter, and the pois and fish that are above the water. */
+    /* Bowls, rim of the tank, table around the tank, and the pois and fish that are above the
+     * water. */
+    STEP_ABOVE,
     STEP_UI,
     STEP_COUNT,
 };
@@ -72,8 +74,8 @@ struct renderer {
     struct specimen_pass specimens;
     struct ui ui;
     struct gl_target ground, life, mirror, deck;
-    /* Render target for the screen, which is multisampled or smaller than the screen. Without
-     * either, its framebuffer is 0, which is the default framebuffer. */
+    /* Render target for the screen, if the picture is multisampled or smaller than the screen.
+     * Otherwise its framebuffer is 0, the default framebuffer. */
     struct gl_target screen;
     /* Buffer of one pixel row, used to read back a captured image. */
     uint8_t row[RENDERER_WIDTH_MAX * 4u];

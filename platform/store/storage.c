@@ -36,7 +36,7 @@ static void text_refused(struct storage *storage, int error, const char *advice)
     set_text(storage, what, ledger_file_error(error), advice);
 }
 
-/* Returns the time in milliseconds for which the card (the disk with the database) has not
+/* Returns the time in milliseconds for which the memory card (the disk with the database) has not
  * responded. Returns 0 if the time is less than STORAGE_STUCK_MS. */
 static int64_t stuck_ms(const struct storage *storage)
 {
@@ -117,7 +117,7 @@ static const char *storage_describe(void *self)
 
 /* Sets storage->path to the path of the database, and creates the data folder if necessary. Returns
  * true. Otherwise writes the reason to storage->text and returns false. A folder that cannot be
- * written is accepted, because the card may be remounted at any time. */
+ * written is accepted, because the memory card may be remounted at any time. */
 static bool find_file(struct storage *storage)
 {
     struct stat about;
@@ -175,8 +175,8 @@ static int storage_open(void *self)
         atomic_store(&storage->has_file, true);
         if (storage->file.refusal == SQLITE_FULL) {
             /* Closes the database, so that other programs can read it. SQLite reads an open
-             * database only with the index of its write-ahead log, for which a full card has no
-             * space. */
+             * database only with the index of its write-ahead log, for which a full memory card has
+             * no space. */
             storage_close_file(storage);
         }
     } else {

@@ -9,12 +9,12 @@
  * again and synced, in the database (platform/store/sqlite/ledger_file.c) and in the ledger mirror.
  * The ledger mirror is a second copy of the newest entries.
  *
- * A card that is slow, full, busy, read-only or absent is retried once per second while the queue
- * fills. An unusable database file is read completely at each attempt to open it, so the attempts
- * become rarer, down to one per minute (storage_card.c). When the queue is full, append() returns
- * HAL_ERR_BUSY, and the core keeps the entries in its output. If the card is full at program start,
- * the store only reads the database until the card has free space. Each failed write is counted.
- * close() tries once more and returns the number of lost entries.
+ * If the card is slow, full, busy, read-only or absent, the write is retried once per second while
+ * the queue fills. An unusable database file is read completely at each attempt to open it, so the
+ * attempts become rarer, down to one per minute (storage_card.c). When the queue is full, append()
+ * returns HAL_ERR_BUSY, and the core keeps the entries in its output. If the card is full at
+ * program start, the store only reads the database until the card has free space. Each failed write
+ * is counted. close() tries once more and returns the number of lost entries.
  *
  * The database is copied to a backup file in the same folder: at program start, every hour, and
  * after STORAGE_BACKUP_ENTRIES entries. The backup is validated before it replaces the previous
@@ -69,28 +69,29 @@
 /* Suffix of the empty marker file that records that the operator has acknowledged a quarantined
  * file. The suffix follows the full name of the quarantined file. */
 #define STORAGE_SEEN_SUFFIX ".seen"
-/* Time in milliseconds after which a blocked write makes the store unhealthy. Good cards pause for
- * at most one second. */
+/* Time in milliseconds after which a blocked write makes the store unhealthy. Good memory cards
+ * pause for at most one second. */
 #define STORAGE_STUCK_MS 3000
 /* STORAGE_RETRY_MS is the shortest and STORAGE_RETRY_MS_MAX the longest interval in milliseconds
  * between two attempts to open an unusable file, which is read completely each time. The interval
  * doubles after each attempt. */
 #define STORAGE_RETRY_MS 1000
 #define STORAGE_RETRY_MS_MAX 60000
-/* Increase of the free space in bytes after which a full card is retried early. A smaller increase
- * is ignored because other programs also write to the card. */
+/* Increase of the free space in bytes after which the store writes to a full memory card again
+ * before the retry interval ends. A smaller increase is ignored because other programs also write
+ * to the card. */
 #define STORAGE_ROOM_MORE (256u * 1024u)
 #define STORAGE_BACKUP_S 3600 /* Maximum interval between two backups in seconds. */
 /* Number of new entries after which a backup is made, even if less than STORAGE_BACKUP_S has
  * passed. */
 #define STORAGE_BACKUP_ENTRIES (LEDGER_MIRROR_SLOTS / 2u)
 /* Capacity of the queue of ledger entries: twice the number of unwritten entries that the core can
- * hold. While the card responds, the queue is therefore never full. */
+ * hold. While the memory card responds, the queue is therefore never full. */
 #define STORAGE_QUEUE_MAX (2u * LEDGER_RING)
 /* Capacity of the queue of growth-lab edits. The operator's menu permits far fewer than four edits
  * per second. */
 #define STORAGE_EDITS_MAX 4u
-/* Time in milliseconds after which the store stops trying to write a replay that the card
+/* Time in milliseconds after which the store stops trying to write a replay that the memory card
  * rejects. */
 #define STORAGE_REPLAY_MS 10000
 /* Maximum memory of SQLite in bytes. The highest measured use was 4.2 MiB, with 100,000 entries, a
@@ -234,8 +235,8 @@ struct storage {
     /* Hash of the database file's attributes at the last attempt to open the database. Used by the
      * store's thread only. */
     uint64_t sight;
-    /* Free bytes on the card at the last attempt to open the database. Used by the store's thread
-     * only. */
+    /* Free bytes on the memory card at the last attempt to open the database. Used by the store's
+     * thread only. */
     uint64_t room;
     /* Time of the next attempt to open the database, on the monotonic clock. 0 means immediately.
      * Used by the store's thread only. */
@@ -264,10 +265,10 @@ struct storage {
 
     struct offline_credits late;
     struct storage_replay put, get;
-    /* Time when the card first rejected the requested replay. 0 means that the card has not
+    /* Time when the memory card first rejected the requested replay. 0 means that the card has not
      * rejected the replay. */
     int64_t put_since_ms;
-    /* Round id of the newest replay that was written, or that was abandoned because the card
+    /* Round id of the newest replay that was written, or that was abandoned because the memory card
      * rejected it. */
     atomic_uint put_id;
     /* Result of the last read of a replay. fetched() returns this result when the request is

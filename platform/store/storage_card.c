@@ -83,7 +83,7 @@ static bool has_folder_left(const struct storage *storage)
 
 bool storage_has_moved(struct storage *storage)
 {
-    int moved = 0; /* SQLite writes an int. */
+    int moved = 0; /* The type is int because sqlite3_file_control() writes an int. */
     if (storage->how.vfs || !storage->file.db) {
         return false;
     }
@@ -134,8 +134,9 @@ static void log_back(const struct storage *storage)
 
 /* ---- Retry schedule ------------------------------------------------------------------------ */
 
-/* Returns a hash of the attributes of the file and its card: identity, size, change time, access
- * rights, read-only mount. Returns 0 for a custom vfs, whose files are not visible to stat(). */
+/* Returns a hash of the attributes of the file and its memory card: identity, size, change time,
+ * access rights, read-only mount. Returns 0 for a custom vfs, whose files are not visible to
+ * stat(). */
 static uint64_t sight_of(const struct storage *storage)
 {
     struct stat file = { 0 };
@@ -211,9 +212,9 @@ static int probe(struct storage *storage)
         storage_unlock(storage);
         return LEDGER_FILE_MOVED;
     }
-    /* Rejects a foreign ledger. Such a ledger comes from another card, or from a card that was
-     * absent at program start. A new card or a backup has fewer entries and is accepted. The file
-     * may also contain queued entries, because a write that reported an error may have
+    /* Rejects a foreign ledger. Such a ledger comes from another memory card, or from a card that
+     * was absent at program start. A new card or a backup has fewer entries and is accepted. The
+     * file may also contain queued entries, because a write that reported an error may have
      * succeeded. */
     const unsigned pushed = atomic_load(&storage->pushed);
     const uint32_t saved_id = atomic_load(&storage->saved_id);
@@ -245,7 +246,7 @@ static int probe(struct storage *storage)
     }
     if (storage->file.refusal == SQLITE_FULL) {
         /* Closes the database, so that other programs can read it. SQLite reads an open database
-         * only with the index of its write-ahead log, for which a full card has no space. */
+         * only with the index of its write-ahead log, for which a full memory card has no space. */
         storage_close_file(storage);
     }
     return code;
@@ -253,8 +254,8 @@ static int probe(struct storage *storage)
 
 /* Returns true if the store may open the file that is now at the database's path, in place of the
  * open file that moved. The first call after a loss returns false and reports the loss, so that the
- * status shows each loss even if the next call repairs it. During close() the first call may also
- * return true, because there is no later call. */
+ * status shows each loss even if the next call opens the database again. During close() the first
+ * call may also return true, because there is no later call. */
 static bool leave_moved(struct storage *storage)
 {
     const bool is_first = !storage->moved;
@@ -290,7 +291,7 @@ bool storage_has_card(struct storage *storage)
         return false;
     }
     /* The next attempt waits for the end of the interval. The attempt is made earlier if the last
-     * write failed because the card was full and the card has more free space now. */
+     * write failed because the memory card was full and the card has more free space now. */
     if (!storage->path[0] || !(storage_now_ms() >= storage->look_due_ms ||
                                atomic_load(&storage->late.state) == OFFLINE_CREDITS_NEW ||
                                sight_of(storage) != storage->sight ||
@@ -317,7 +318,8 @@ bool storage_has_card(struct storage *storage)
     storage->room = room_of(storage);
     storage->look_due_ms = storage->look_wait_ms > 0 ? storage_now_ms() + storage->look_wait_ms : 0;
     if (code != SQLITE_OK || storage_unwritten(storage) == 0) {
-        /* If entries are in the queue, their write follows and sets the store's status. */
+        /* The result is stored only if no entries wait in the queue. Otherwise the caller writes
+         * these entries next, and the result of that write is stored. */
         note_result(storage, code);
     }
     return code == SQLITE_OK;

@@ -175,14 +175,14 @@ int storage_open_file(struct storage *storage)
         return ledger_file_open(&storage->file, storage->path, &storage->how);
     }
     storage->has_to_rebuild = false;
-    /* The database path is a symbolic link. The link may lead to a card that is not mounted yet, so
-     * it is neither removed nor followed. */
+    /* The database path is a symbolic link. The link may lead to a memory card that is not mounted
+     * yet, so it is neither removed nor followed. */
     struct stat about;
     if (lstat(storage->path, &about) == 0 && S_ISLNK(about.st_mode)) {
         return LEDGER_FILE_LINK;
     }
     /* Renames each FIFO, device, link or folder that has the name of a file of the database, so
-     * that the start continues without it. On a read-only card the object stays and is not
+     * that the start continues without it. On a read-only memory card the object stays and is not
      * opened. */
     for (unsigned i = 0; i < STORAGE_SIBLING_COUNT; i++) {
         if (file_is_other(storage_path(storage, storage_suffixes[i], "").text) &&

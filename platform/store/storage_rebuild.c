@@ -4,7 +4,7 @@
  * the ledger mirror. The replacement is first written and synced completely under a temporary name.
  * Then the replacement is renamed to STORAGE_NEW_SUFFIX, the damaged database is renamed, and
  * finally the replacement gets the name of the database. After a power cut at any point, the next
- * start repeats or completes these steps. A card without enough space is left unchanged.
+ * start repeats or completes these steps. A memory card without enough space is left unchanged.
  *
  * A damaged backup is renamed and not read. No credit is lost, because each entry contains the
  * balance and the mirror contains the newest entries.
@@ -35,9 +35,10 @@ static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
 
 /* ---- Quarantine ---------------------------------------------------------------------------- */
 
-/* Returns the number for the name of the next quarantined file or marker: the highest number in use
- * plus one. Markers are counted too, because the operator may have deleted an acknowledged file and
- * not its marker. The marker would mark a new file with the same number as acknowledged. */
+/* Returns the number for the name of the next quarantined file or marker file: the highest number
+ * in use plus one. The numbers of marker files count too. The operator may have deleted a
+ * quarantined file after acknowledging it, but not the marker file of the acknowledgement
+ * (STORAGE_SEEN_SUFFIX). A new file with the same number would then count as acknowledged. */
 static unsigned next_number(const struct storage *storage)
 {
     static const char *const kinds[] = { STORAGE_QUARANTINE_SUFFIX, STORAGE_MISSING_SUFFIX,
@@ -141,7 +142,7 @@ static int sync_file(const char *path)
 static int make_new(struct storage *storage, bool is_missing, unsigned number, bool *uses_backup)
 {
     /* The replacement is written without syncs, because no process reads the file before it is
-     * complete. Syncing once at the end saves time on a slow card. */
+     * complete. Syncing once at the end saves time on a slow memory card. */
     static const struct ledger_file_options unsynced = { .journal = "MEMORY OFF" };
     const struct storage_path part = storage_path(storage, PART_SUFFIX, "");
     const struct storage_path backup = storage_path(storage, STORAGE_BACKUP_SUFFIX, "");

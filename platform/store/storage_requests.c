@@ -98,8 +98,8 @@ void storage_update_sealed(struct storage *storage)
     }
 }
 
-/* Writes the requested replay after the ledger entry of its round. Abandons a replay that the card
- * has rejected for STORAGE_REPLAY_MS. */
+/* Writes the requested replay after the ledger entry of its round. Abandons a replay that the
+ * memory card has rejected for STORAGE_REPLAY_MS. */
 void storage_put_replay(struct storage *storage)
 {
     CORE_ASSERT(storage_unwritten(storage) <= STORAGE_QUEUE_MAX);

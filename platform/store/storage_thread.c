@@ -12,7 +12,7 @@
 #include "platform/store/graph_file.h"
 #include "platform/store/storage_internal.h"
 
-/* Interval between two attempts to write to a card after a failure, in milliseconds. */
+/* Interval between two attempts to write to a memory card after a failure, in milliseconds. */
 #define RETRY_MS 1000
 /* Interval in milliseconds between two checks that the open database is still at its path. With
  * this interval a loss is reported within one second, because the status file is written
@@ -101,7 +101,7 @@ static int open_tail(struct storage *storage)
     const struct storage_path path = storage_path(storage, STORAGE_MIRROR_SUFFIX, "");
     int result = ledger_mirror_open(&storage->tail, path.text);
     /* A mirror of a foreign ledger must not be used. Such a mirror exists if, for example, a user
-     * copied files from another card. */
+     * copied files from another memory card. */
     struct ledger_entry entry;
     if (result == 0 &&
         ledger_mirror_entry(&storage->tail, atomic_load(&storage->saved_id), &entry) &&
@@ -358,7 +358,7 @@ void storage_work(struct storage *storage)
 }
 
 /* Thread function of the store. Calls storage_work() when there is new work, and at least once per
- * second to retry a failed card and to start a backup that is due. */
+ * second to retry failed writes and to start a backup that is due. */
 void *storage_thread(void *context)
 {
     struct storage *storage = context;

@@ -1,10 +1,11 @@
 /* morph_export.h -- the writers of `kingyoctl morph export`: pictures of a growing fish, and meshes
  * for other programs.
  *
- * For a mesh file, the near mesh of a species is cut into pieces by part and side. A fin is stored
- * as two sheets, one for each side, but other programs get only the sheet whose front faces in the
- * direction of its normals. Each writer returns EXIT_OK, or prints one line to standard error and
- * returns EXIT_IO. */
+ * For a mesh file, the near mesh of a species is divided into pieces, one for each body part and
+ * side. In the near mesh, a fin consists of two sheets of triangles, one for each side. The file
+ * gets only one of these sheets: the sheet whose triangles face in the direction of the vertex
+ * normals. Each writer returns EXIT_OK, or prints one line to standard error and returns
+ * EXIT_IO. */
 #pragma once
 
 #include "platform/ctl/lib/fish_preview.h"

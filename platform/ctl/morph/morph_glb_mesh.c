@@ -13,15 +13,18 @@
  * mesh. The shapes are the base and the morph targets.
  *
  * Symbols: c is a curve of the deformation graph, k is a key (growth stage), and "last" is the last
- * key. m_c is the share with which curve c moves the vertex. V_ck is the weight of key k in curve
- * c. C_ck is the shape of the vertex in the solved key, or in the drawn key if no shape is solved.
+ * key. m_c is the share of curve c in the motion of the vertex. V_ck is the weight of key k in
+ * curve c. C_ck is the shape of the vertex in the solved key, or in the drawn key if no shape is
+ * solved.
  *
- * Kingyo computes p = sum over c of m_c sum over k of V_ck C_ck. The shares m_c have the sum 1. For
- * each curve, the weights V_ck have the sum 1 and are >= 0.
+ * Kingyo computes the vertex p = sum over c of (m_c * sum over k of (V_ck * C_ck)). The shares m_c
+ * have the sum 1. For each curve, the weights V_ck have the sum 1 and are >= 0.
  *
- * glTF computes p = B + sum over the morph targets t of w_t D_t. Therefore the base is B = sum over
- * c of m_c C_c,last. Each curve c and each key k except the last gives a morph target with D = m_c
- * (C_ck - C_c,last) and w = V_ck. The two results for p are equal, and every weight is in [0, 1].
+ * A glTF viewer computes the vertex p = B + sum over the morph targets t of (w_t * D_t), with the
+ * base B, the weight w_t and the displacement D_t. The file therefore contains the base B = sum
+ * over c of (m_c * C_c,last). For each curve c and each key k except the last, the file contains
+ * one morph target with D = m_c * (C_ck - C_c,last) and w = V_ck. With these values, the viewer's p
+ * equals Kingyo's p, and every weight is in [0, 1].
  *
  * Colours are morph targets too (COLOR_0, linear). A viewer that does not blend colours shows
  * the colours of the last key. The alpha of a transparent body is written, but the material of

@@ -28,8 +28,8 @@ struct morph_import_words {
     struct import_options plan;
 };
 
-/* The arguments and the options of both commands. The target is struct morph_import_words, and the
- * groups are enum import_command. */
+/* Table of the arguments and the options of both commands. The values are stored in a struct
+ * morph_import_words. The field `groups` of each option is a combination of enum import_command. */
 extern const struct option_table morph_import_words_table;
 
 /* Parses the command line into `words`. argv[0] is the first argument after the command's name.

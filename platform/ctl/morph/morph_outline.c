@@ -151,8 +151,8 @@ void morph_outline_draw(struct svg *svg, const struct morph_outline *outline)
     static vec3 positions[MESH_VERTEX_MAX];
     static uint16_t joined[MESH_VERTEX_MAX];
     blend(outline, positions);
-    /* Finds vertices at the same position. They count as one vertex, so that no contour is drawn
-     * along the texture seam of the body. */
+    /* Finds vertices at the same position. Such vertices count as one vertex, so that no contour is
+     * drawn along the texture seam of the body. */
     for (uint32_t i = 0; i < outline->species->lod[0].vertex_count; i++) {
         uint32_t first = 0;
         while (v3_length(v3_sub(positions[first], positions[i])) > JOIN_LENGTHS) {

@@ -5,8 +5,8 @@
  * the file does not set. The default base is the expert. White space around the key and the value
  * is ignored. A '#' at the start of a line or after white space begins a comment.
  *
- * Every error is reported. An ignored misspelt key would silently leave the bot unchanged, and a
- * comparison of two bots would be wrong. */
+ * Every error is reported. If a misspelt key were ignored, the bot would stay unchanged without a
+ * message, and a comparison of two bots would be wrong. */
 #pragma once
 
 #include <stddef.h>

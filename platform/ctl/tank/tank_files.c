@@ -91,8 +91,8 @@ struct poi_target tank_path_at(struct tank_path *path, double t_s)
 
 /* ---- Start positions of fish ----------------------------------------------------------------- */
 
-/* Tolerance in metres for bodies that touch a wall. It is needed because the numbers in a trace are
- * rounded. */
+/* Tolerance in metres for bodies that touch a wall. The tolerance is needed because the numbers in
+ * a trace are rounded. */
 #define TOUCH_M 0.0001
 
 enum {

@@ -2,12 +2,13 @@
  * at the next start.
  *
  * A panic is a failed assertion or a fatal signal. The panic handler writes the running session
- * (session_recorder.h), up to the newest input, to panic-N.kgr with N from 0 to 9. The tenth panic
- * after a file was written replaces that file. `kingyoctl replay verify` replays the file. If the
- * panic occurred inside the core, the replay panics at the same tick. After any other panic, the
- * replay ends in the state that the core had at the panic. If a page for the operator's PIN was
- * open in the session, the replay ends when that page opened. The file contains no PIN. Its mode is
- * 0600 because it contains settings and audits. panics.h counts the panics. */
+ * (session_recorder.h), up to the newest input, to the file panic-N.kgr. N is the number of earlier
+ * panics modulo 10, so that at most ten files exist. `kingyoctl replay verify` replays the file. If
+ * the panic occurred inside the core, the replay panics at the same tick. After any other panic,
+ * the replay ends in the state that the core had at the panic. If the operator opened a menu page
+ * for typing the PIN during the session, the replay ends at the tick in which the page opened. The
+ * file contains no PIN. Its mode is 0600 because it contains settings and audits. panics.h counts
+ * the panics. */
 #pragma once
 
 #include <stdatomic.h>
@@ -56,6 +57,6 @@ void panic_evidence_note_frame(struct evidence *evidence);
 
 /* Handles a panic: stops the thread that runs the ticks, writes the replay and the count of panics,
  * and reports `reason` and the results in one line. Returns true if the core and its recordings are
- * in a consistent state. Returns false if the thread that runs the ticks may still change them, or
- * if the panic interrupted a change. Async-signal-safe. */
+ * in a consistent state. Returns false if the thread that runs the ticks may still change the core
+ * or a recording, or if the panic interrupted a change. Async-signal-safe. */
 bool panic_evidence_write(struct evidence *evidence, const char *reason);

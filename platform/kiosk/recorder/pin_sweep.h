@@ -4,9 +4,9 @@
  * (session_recorder_may_contain_pin()). The state hashes of format 7 include the PIN
  * (settings_hash()), so replacing only the initial state would make the hashes wrong. Instead, two
  * cores simulate the replay without a picture. The first core starts with the PIN, and the replay
- * verifier (replay_verifier.h) compares its states with the recording. The second core starts with
- * the PIN withheld, gets the same inputs, and is recorded. A third simulation verifies the new
- * recording, which then replaces the old recording in one transaction.
+ * verifier (replay_verifier.h) compares its states with the recording. The second core starts
+ * without the PIN (session_recorder_withhold_pin()), gets the same inputs, and is recorded. A third
+ * simulation verifies the new recording, which then replaces the old recording in one transaction.
  *
  * The sweep deletes a replay only if the replay may contain a PIN and cannot be cleared of the PIN.
  * A replay may contain a PIN if its format is 7 or older, if its initial state contains a PIN, or
@@ -47,8 +47,8 @@ struct pin_sweep {
     uint32_t left;
     enum replay_verdict verdict; /* Result of the stored recording's verification. */
     struct replay_verifier verifier;
-    /* Simulates the stored recording with the PIN withheld. The states and the inputs of this core
-     * are the new recording. */
+    /* Second core, which simulates the stored recording without its PIN. The states and the inputs
+     * of this core form the new recording. */
     struct core core;
     struct output output;
     struct replay_writer writer;

@@ -39,8 +39,7 @@ struct replay_verifier {
     struct input input;
     struct output output;
     struct replay_totals recorded; /* Totals that are stored in the replay. */
-    /* Number of the first tick, counted from 1, in the recorded second in which the last round
-     * starts. */
+    /* First tick of a recorded second, counted from 1. The last round starts in this second. */
     uint32_t round_tick;
     /* Newest round entry of the simulated game. The id is 0 before the first round. */
     struct ledger_entry round;

@@ -46,8 +46,8 @@ struct recorder {
     struct replay_writer writer;
     struct replay_totals totals;
     struct recorder_tally tally;
-    /* Core that is recorded. recorder_end() writes the hash of its state with the last, incomplete
-     * second. */
+    /* Core that is recorded. recorder_end() writes the last, incomplete second with the hash of the
+     * core's state. */
     const struct core *core;
     struct input begun;     /* Input of the current tick. Valid while is_in_tick is true. */
     atomic_bool is_in_tick; /* True while core_tick() runs. */
@@ -92,7 +92,8 @@ struct replay_difference {
      * each recorded second. False if the difference is in the short digest, which is compared at
      * each tick. */
     bool is_full;
-    uint32_t tick; /* Tick of the difference, counted from 0. */
+    /* Tick at which the simulation first differs from the recording, counted from 0. */
+    uint32_t tick;
     uint64_t recorded, computed;
 };
 

@@ -111,9 +111,9 @@ bool session_recorder_freeze(struct session_recorder *sessions, bool is_own);
 /* Returns true if there is a session to write. */
 bool session_recorder_has_begun(const struct session_recorder *sessions);
 
-/* Returns the tick before which session_recorder_dump() ends. This is `tick`, the core's tick, if
- * the recording still runs. It is less after a page for a PIN, after the memory became full, and if
- * a change of the recording was interrupted (`is_sound` is false). */
+/* Returns the tick before which session_recorder_dump() ends. The result is `tick`, the core's
+ * tick, if the recording still runs. The result is less if a page for a PIN was opened, if the
+ * memory became full, or if a change of the recording was interrupted (`is_sound` is false). */
 uint32_t session_recorder_end_tick(const struct session_recorder *sessions, uint32_t tick,
                                    bool is_sound);
 

@@ -1,5 +1,5 @@
-/* basin_pass.c -- draws the tank with the water surface, its rim and the counter from one vertex
- * buffer. */
+/* basin_pass.c -- draws the tank, the water surface, the rim of the tank, and the counter (the
+ * table around the tank) from one vertex buffer. */
 #include "platform/render/pass/basin_pass.h"
 
 #include <string.h>

@@ -1,5 +1,6 @@
 /* basin_pass.h -- draws the tank: the floor and the walls below the water surface, the water
- * surface, and the rim and the counter above the surface. */
+ * surface, and, above the surface, the rim of the tank and the counter (the table around the
+ * tank). */
 #pragma once
 
 #include "core/scene.h"
@@ -8,7 +9,7 @@
 
 /* Number of parts with a shader program of their own: the floor, the walls, the water surface, the
  * counter, the sides of the rim, the top of the rim, the reflections on the water, and the picture
- * of counter and rim. */
+ * of the counter and the rim. */
 #define BASIN_PARTS 8u
 
 struct basin_pass {
@@ -35,15 +36,15 @@ void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene);
 /* Draws the floor and the walls. The render target needs no depth buffer. */
 void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint shadows);
 
-/* Draws the rim and the counter into `target`, which has the size of the screen. Does nothing if
- * the target already has the picture for the camera and the tank of `frame`. basin_pass_forget()
- * must be called after a target was created. */
+/* Draws the rim and the counter (the table around the tank) into `target`, which has the size of
+ * the screen. Does nothing if the target already has the picture for the camera and the tank of
+ * `frame`. basin_pass_forget() must be called after a target was created. */
 void basin_pass_keep_deck(struct basin_pass *pass, const struct frame_block *frame,
                           const struct gl_target *target, const struct textures *textures);
 void basin_pass_forget(struct basin_pass *pass);
-/* Draws the rim and the counter from the picture `kept` of basin_pass_keep_deck(). The depth test
- * hides the parts behind nearer objects. The rim and the counter write no depth, because a poi
- * (paper scoop) is always held over the rim. */
+/* Draws the rim and the counter (the table around the tank) from the picture `kept` of
+ * basin_pass_keep_deck(). The depth test hides the parts behind nearer objects. The rim and the
+ * counter write no depth, because a poi (paper scoop) is always held over the rim. */
 void basin_pass_deck(const struct basin_pass *pass, GLuint kept);
 /* Draws the reflections on the water surface, at low resolution, into a render target of their
  * own. */

@@ -105,7 +105,8 @@ static enum fish_group group_of(const struct scene_fish *fish, const struct fram
                : (near ? FISH_NEAR : FISH_FAR);
 }
 
-/* Chooses the mesh of each group. The fish in bowls get the near mesh if it suits any of them. */
+/* Chooses the mesh of each group. The fish in bowls get the near mesh if at least one of these fish
+ * is large enough on the screen for it. */
 static void choose_meshes(struct fish_pass *pass, const struct scene *scene,
                           const struct frame_view *view, float near_px)
 {

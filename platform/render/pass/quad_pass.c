@@ -1,4 +1,5 @@
-/* quad_pass.c -- draws the bubbles, the drops, the hand-held fans and the edge of the picture. */
+/* quad_pass.c -- draws the bubbles, the drops, the hand-held fans and the black edge of the
+ * picture. */
 #include "platform/render/pass/quad_pass.h"
 
 #include "core/base/panic.h"

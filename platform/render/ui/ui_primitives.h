@@ -33,7 +33,7 @@ struct ui_frame {
     /* Size of the layout unit in pixels. In a context that is not from ui_canvas(), the size is 1
      * px on a 1280x720 screen. */
     float unit;
-    float text_scale; /* Factor by which text in the common font is larger than its size. */
+    float text_scale; /* Factor by which the size of a text in the common font is multiplied. */
     float time_s;     /* Time in seconds for the animation of swaying and pulsing objects. */
     uint8_t language; /* Language of all texts (enum language). */
     /* True if the layout area is the core's canvas (ui_canvas()) for portrait screens. */

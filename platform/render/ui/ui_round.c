@@ -272,7 +272,8 @@ void ui_round(const struct ui_frame *frame)
             ui_foul_lamps(frame, lamps_x, y, 9.5f * u, 26.0f * u, scene->player[player].fouls);
         }
         state_plate(frame, player, true);
-        caught_plate(frame, player); /* The last plate, so that fish fly in front of all plates. */
+        /* The plate of caught fish is drawn last, so that fish fly in front of all plates. */
+        caught_plate(frame, player);
     }
     ui_handle_marks(frame);
     ui_near_misses(frame);

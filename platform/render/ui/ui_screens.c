@@ -82,7 +82,8 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
         .width = width_px,
         .height = height_px,
         .unit = fminf(height_px / 720.0f, width_px / 860.0f),
-        /* The pages of the menu are full, so that their text keeps its size. */
+        /* The text of the menu is not enlarged, because the pages of the menu have no free
+         * space. */
         .text_scale = scene->phase == PHASE_MENU ? 1.0f : 1.0f + TEXT_STEP * scene->text_size,
         .time_s = (float)(scene->tick % (3600u * CORE_TICK_HZ)) * CORE_TICK_S,
         .language = scene->language,

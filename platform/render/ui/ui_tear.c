@@ -131,7 +131,7 @@ static void draw_motion(const struct ui_frame *frame, uint32_t player, struct ui
         const struct spot to = project(tear->velocity_m_s, reach / speed_m_s);
         ui_arrow(frame, middle.x, middle.y, to.x, to.y, UI_CREAM);
     }
-    /* The slow motion lasts from 0.75 s before the tear to 0.25 s after it. */
+    /* The slow motion lasts from 0.75 s before the tear to 0.25 s after the tear. */
     struct ui_box bar = { box.x, box.y + box.height + 5.0f * u, box.width, 6.0f * u };
     ui_fill(frame, bar, 0xd9c8a0ffu);
     ui_fill(frame,

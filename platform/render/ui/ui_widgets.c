@@ -198,8 +198,8 @@ void ui_warnings(const struct ui_frame *frame)
         { scene->is_confirming_menu, TEXT_MENU_ASK },
         { active & WARN_TILT, TEXT_WARN_TILT },
         { active & WARN_DOOR, TEXT_WARN_DOOR },
-        /* During a round, this warning is omitted because the pause sign already shows it in larger
-         * letters. */
+        /* The warning about a missing controller is omitted during a round, because the pause sign
+         * already shows the same text in larger letters. */
         { (active & WARN_NO_POI) && !in_round, TEXT_WARN_NO_POI },
         { active & WARN_STORE, TEXT_WARN_STORE },
     };

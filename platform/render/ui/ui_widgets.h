@@ -168,6 +168,6 @@ struct ui_period {
  * `out` is memory that the function may use for the result. */
 const char *ui_leaderboard_name(const struct ui_frame *frame, char out[TEXT_LINE_MAX]);
 
-/* Returns the texts of a leaderboard period. Returns the texts of the period without end if
- * `period` is unknown. */
+/* Returns the texts of a leaderboard period. Returns the texts of the all-time leaderboard
+ * (RANK_EVER) if `period` is unknown. */
 const struct ui_period *ui_leaderboard_period(uint8_t period);

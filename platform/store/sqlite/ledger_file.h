@@ -82,7 +82,7 @@ struct ledger_file {
      * (ledger_log_secure()) before SQLite copies the log into the database. */
     bool is_suspect;
     /* Reason why the file is read-only. 0 means that the file can be written. SQLITE_FULL means
-     * that the card has no space for the index of the write-ahead log. Other values are
+     * that the memory card has no space for the index of the write-ahead log. Other values are
      * SQLITE_READONLY, or the reason why a damaged file could not be replaced. */
     int refusal;
 };
@@ -122,9 +122,9 @@ struct ledger_foreign {
  * or if the schema cannot be read. */
 bool ledger_schema_foreign(struct sqlite3 *db, struct ledger_foreign *out);
 
-/* ledger_file.c: writes the whole write-ahead log again, and syncs the log and its folder. All data
- * that are read from the log afterwards are on disk. Returns SQLITE_BUSY while another program
- * holds the write lock. After an error `is_suspect` stays true. */
+/* Writes the whole write-ahead log again, and syncs the log and its folder. All data that are read
+ * from the log afterwards are on disk. Returns SQLITE_BUSY while another program holds the write
+ * lock. After an error `is_suspect` stays true. Defined in ledger_file.c. */
 int ledger_log_secure(struct ledger_file *file);
 
 /* Writes entries in one transaction. The ids of the entries must rise. Entries that the file
@@ -195,20 +195,20 @@ const char *ledger_file_error(int code);
 #define LEDGER_RETURNED_SHIFT 8u
 #define LEDGER_TICKETS_SHIFT 16u
 
-/* ledger_write.c: writes a prepared statement to `out`. The statement is prepared at its first use,
- * because its tables may not exist earlier. Returns an SQLite code. */
+/* Writes a prepared statement to `out`. The statement is prepared at its first use, because its
+ * tables may not exist earlier. Returns an SQLite code. Defined in ledger_write.c. */
 int ledger_statement(struct ledger_file *file, enum ledger_statement which,
                      struct sqlite3_stmt **out);
 
-/* ledger_file.c: prevents SQLite from copying the write-ahead log into the database until
- * ledger_log_secure() succeeds. */
+/* Prevents SQLite from copying the write-ahead log into the database until ledger_log_secure()
+ * succeeds. Defined in ledger_file.c. */
 void ledger_log_invalidate(struct ledger_file *file);
 /* Returns the result of a write whose SQLite code is `code`. If `code` is SQLITE_OK but the
  * checkpoint after the commit failed, the result is SQLITE_IOERR, otherwise `code`. */
 int ledger_log_result(const struct ledger_file *file, int code);
 
-/* ledger_schema.c: migrates the file from `version` to LEDGER_FILE_VERSION, inside the caller's
- * transaction. Returns an SQLite code. */
+/* Migrates the file from `version` to LEDGER_FILE_VERSION, inside the caller's transaction. Returns
+ * an SQLite code. Defined in ledger_schema.c. */
 int ledger_schema_raise(struct ledger_file *file, int version);
 
 /* Compares the text of the whole schema with the tables of the file version `user_version`. Returns
@@ -216,7 +216,7 @@ int ledger_schema_raise(struct ledger_file *file, int version);
  * as a trigger. */
 int ledger_schema_check(struct sqlite3 *db, int64_t user_version);
 
-/* ledger_write.c: writes one entry without its aggregates. Returns an SQLite code. */
+/* Writes one entry without its aggregates. Returns an SQLite code. Defined in ledger_write.c. */
 int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry);
 
 /* Returns the checksum of an entry. The checksum does not cover the name in the entry, because the
@@ -224,26 +224,26 @@ int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry);
  * page but not a flipped bit. */
 int64_t ledger_entry_sum(const struct ledger_entry *entry);
 
-/* ledger_open.c: marks the file, inside the caller's transaction, as possibly containing old bytes
- * of a PIN. The next open then rewrites the file. The caller must afterwards call
- * ledger_checksum_put() in the same transaction. */
+/* Marks the file, inside the caller's transaction, as possibly containing old bytes of a PIN. The
+ * next open then rewrites the file. The caller must afterwards call ledger_checksum_put() in the
+ * same transaction. Defined in ledger_open.c. */
 int ledger_pin_mark(struct ledger_file *file);
 
-/* ledger_write.c: updates the aggregates in `content` from one entry. */
+/* Updates the aggregates in `content` from one entry. Defined in ledger_write.c. */
 void ledger_aggregates_note(struct ledger_content *content, const struct ledger_entry *entry);
 /* Writes the aggregates that differ between `before` and `after` to the database. Returns an SQLite
  * code. */
 int ledger_aggregates_put(struct ledger_file *file, const struct ledger_content *before,
                           const struct ledger_content *after);
-/* ledger_read.c: reads the aggregates (settings, audits, ranking). Returns SQLITE_CORRUPT if the
- * rows contain values that core_init() would reject. */
+/* Reads the aggregates (settings, audits, ranking). Returns SQLITE_CORRUPT if the rows contain
+ * values that core_init() would reject. Defined in ledger_read.c. */
 int ledger_aggregates_read(struct ledger_file *file, struct ledger_content *out);
 
 /* First file version in which the tables have checksums. */
 #define LEDGER_CHECKSUM_VERSION 4
 
-/* ledger_read.c: writes the table checksums. Call inside the caller's transaction, after its
- * other changes. Returns an SQLite code. */
+/* Writes the table checksums. Call inside the caller's transaction, after its other changes.
+ * Returns an SQLite code. Defined in ledger_read.c. */
 int ledger_checksum_put(struct sqlite3 *db);
 /* Verifies the table checksums. Returns SQLITE_CORRUPT if settings, audits or ranking differ from
  * the written values. */

@@ -19,8 +19,9 @@
 
 /* Version of the layout of a slot. Slots of older versions have padding in place of fields that
  * were added later. These fields are read as 0. A slot of version 100 or 4 lacks the round's
- * `level`. A slot of version 4 also lacks the balance's `returned` and `tickets`. The number 100 is
- * higher than any schema version of the database. */
+ * `level`. A slot of version 4 also lacks the balance's `returned` and `tickets`. Versions up to 4
+ * had the number of the database's schema version. The numbers from 100 are independent of the
+ * schema version. */
 #define SLOT_VERSION 101u
 #define SLOT_VERSION_100 100u
 #define SLOT_VERSION_4 4u
@@ -97,9 +98,9 @@ static int write_slot(struct ledger_mirror *tail, const struct ledger_entry *ent
 /* Writes every byte of the file and syncs the file. Returns 0 or -1.
  *
  * A new file is filled with zeros, so that all blocks are allocated. Later writes change only their
- * sectors and cannot fail because of a full card. An existing file (`is_whole`) keeps its content.
- * Its bytes are written again, because a sync may have failed in the current process or in a
- * process that was killed. After a failed sync, a slot may be readable although it is not on
+ * sectors and cannot fail because of a full memory card. An existing file (`is_whole`) keeps its
+ * content. Its bytes are written again, because a sync may have failed in the current process or in
+ * a process that was killed. After a failed sync, a slot may be readable although it is not on
  * disk. */
 static int write_all(int handle, bool is_whole)
 {

@@ -62,7 +62,7 @@ static int set_up(struct ledger_file *file, const struct ledger_file_options *ho
 
 /* Returns SQLITE_CORRUPT if `code` is an error that a damaged schema may cause, otherwise `code`. A
  * schema with a flipped bit may still be valid SQL, but a later statement may fail. The caller must
- * first exclude other causes of the error, such as a full card. */
+ * first exclude other causes of the error, such as a full memory card. */
 static int as_damage(int code)
 {
     return code == SQLITE_ERROR || code == SQLITE_SCHEMA || code == SQLITE_MISMATCH ||
@@ -253,9 +253,9 @@ static int ledger_open_begin(struct ledger_file *file, const struct ledger_file_
            : file->refusal                ? file->refusal
                                           : bring_up_to_date(file);
     if (code == SQLITE_OK) {
-        /* An error while the PIN is hidden, for example a card without space, does not prevent the
-         * start. The next program start tries again. Until then the PIN stays in the file as plain
-         * digits and still opens the menu. */
+        /* If hide_pin() fails, for example because the memory card is full, the kiosk starts
+         * nevertheless. The next program start tries again. Until then the PIN stays in the file as
+         * plain digits and still opens the menu. */
         code = file->refusal ? SQLITE_OK : hide_pin(file);
         code = code == SQLITE_CORRUPT || code == SQLITE_NOTADB ? code : SQLITE_OK;
     }
@@ -292,8 +292,8 @@ static bool is_unwritable(int code)
     return code == SQLITE_CANTOPEN || code == SQLITE_READONLY;
 }
 
-/* Returns true if the card is full. The error code alone is not sufficient, because SQLite returns
- * only a general I/O error if it cannot create the index of the write-ahead log. */
+/* Returns true if the memory card is full. The error code alone is not sufficient, because SQLite
+ * returns only a general I/O error if it cannot create the index of the write-ahead log. */
 static bool is_card_full(struct ledger_file *file, int code)
 {
     return code == SQLITE_FULL ||

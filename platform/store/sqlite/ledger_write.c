@@ -178,8 +178,8 @@ int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry)
     if (code == SQLITE_OK && entry->kind == LEDGER_ROUND) {
         code = put_round(file, entry);
     } else if (code == SQLITE_OK && entry->kind == LEDGER_NAME) {
-        /* An empty name revokes the player's earlier names. They are also erased in the entries of
-         * the ledger. */
+        /* An empty name revokes the player's earlier names. The names are also erased in the
+         * entries of the ledger. */
         const int64_t whose[] = { entry->count, entry->detail, LEDGER_NAME };
         code = put(file, PUT_NAME, whose, 2, entry->name, sizeof entry->name);
         if (code == SQLITE_OK && !entry->name[0]) {

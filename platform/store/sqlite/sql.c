@@ -101,8 +101,8 @@ int sql_commit(sqlite3 *db, int code)
 
 /* ---- Limits and options -------------------------------------------------------------------- */
 
-/* Limits that SQLite enforces on every statement. They are well above the needs of Kingyo's own
- * statements. */
+/* Limits that SQLite enforces on every statement. The limits are well above the needs of Kingyo's
+ * own statements. */
 static const struct {
     int id, max;
 } limits[] = {
