@@ -9,10 +9,11 @@
  * differ. After a motion of the pointer, the difference must be half a pixel. After a button press,
  * any difference counts, because a dip starts slowly.
  *
- * The latency ends when the frame loop passes the scene to the display. It must be at most one
- * frame and one tick. Drawing, the screen, the mouse, the kernel and the X server are not included.
- * FRAME_MS (frame period) and WORK_MS (drawing time) are figures that kingyo prints at its end. If
- * they are given, the table has an additional row for this machine.
+ * The latency ends when the frame loop passes the scene to the display. The latency must be at most
+ * the duration of one frame plus one tick. Drawing, the screen, the mouse, the kernel and the X
+ * server are not included. FRAME_MS (frame period) and WORK_MS (drawing time) are figures that
+ * kingyo prints at its end. If both figures are given, the table has an additional row for this
+ * machine.
  *
  * Returns exit status 1 if a latency exceeds the bound. */
 #include <stdio.h>

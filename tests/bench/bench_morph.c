@@ -5,13 +5,13 @@
  *
  * For each vertex a blend reads 8 bytes per key and 16 more bytes, and writes 24 bytes (position
  * and normal). A blend cannot be faster than a copy of the same number of bytes. The benchmark
- * therefore alternates between blends and memcpy() of this number of bytes. It uses so many fish
- * that their data do not fit in a cache. The figure is the bandwidth of the blend in the fastest
- * round, as a share of the copy's bandwidth. It must be at least GOAL.
+ * therefore alternates between blends and memcpy() of this number of bytes. The benchmark uses so
+ * many fish that their data do not fit in a cache. The figure is the bandwidth of the blend in the
+ * fastest round, as a share of the copy's bandwidth. This share must be at least GOAL.
  *
  * The table also has the time for one fish that stays in the cache, as in the kiosk, with and
- * without SIMD. A second table has fish with several blend curves and anchors. It has no goal,
- * because these fish need more arithmetic than memory accesses.
+ * without SIMD. A second table has fish with several blend curves and anchors. The second table has
+ * no goal, because these fish need more arithmetic than memory accesses.
  *
  * Returns exit status 1 if a share in the first table is below GOAL. */
 #include <stdio.h>

@@ -1,9 +1,9 @@
 /* bench_open.c -- benchmark of the longest tick: the tick that opens the tank of another game mode.
  *
- * The benchmark opens ROUNDS games with different seeds. It measures the CPU time of two ticks: the
- * tick in which START opens the championship's tank, and the tick that returns to attract mode and
- * opens the festival's tank again. It prints the medians and maxima: `open_ms open_max_ms back_ms
- * back_max_ms`.
+ * The benchmark opens ROUNDS games with different seeds. In each game it measures the CPU time of
+ * two ticks: the tick in which START opens the championship's tank, and the tick that returns to
+ * attract mode and opens the festival's tank again. The benchmark prints the medians and maxima:
+ * `open_ms open_max_ms back_ms back_max_ms`.
  *
  * A frame with such a tick may be late, because the picture changes completely anyway. The next
  * frame makes up the missing ticks (frame_pacer.h), so no tick is lost.

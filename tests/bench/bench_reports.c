@@ -7,8 +7,8 @@
  * The benchmark runs the real frame loop, decoder and ring buffer on the real clock. A test thread
  * replaces the libusb thread and pushes reports at the rate of a poi. A test display replaces the
  * screen: it takes WORK_MS to draw and returns at the next multiple of FRAME_MS. The benchmark
- * prints the same figures that the kiosk prints at its end. They do not include the cable, the host
- * controller, libusb, or the frame after the tick (bench_latency measures that frame).
+ * prints the same figures that the kiosk prints at its end. These figures do not include the cable,
+ * the host controller, libusb, or the frame after the tick (bench_latency measures that frame).
  *
  * Returns exit status 1 if reports were lost or if the 99th percentile exceeds one frame plus 2
  * ms. */

@@ -1,10 +1,10 @@
 /* statistics.h -- tests whether two ways to play differ in the number of fish that they catch with
  * the same seeds.
  *
- * Two methods are used. The paired t interval gives the size of the difference. It is valid because
- * the mean of 200 differences is close to normal. Wilcoxon's signed-rank test shows whether there
- * is any difference, without assuming a normal distribution. Its distribution is computed
- * exactly. */
+ * Two methods are used. The paired t interval gives the size of the difference. The t interval is
+ * valid because the mean of 200 differences has nearly a normal distribution. Wilcoxon's
+ * signed-rank test shows whether there is any difference, without assuming a normal distribution.
+ * The distribution of the rank sum is computed exactly. */
 #ifndef KINGYO_TESTS_BENCH_STATISTICS_H
 #define KINGYO_TESTS_BENCH_STATISTICS_H
 

@@ -4,9 +4,9 @@
  * Usage: bench_coins [COINS] [TSV]. Each of the two kernel interfaces gets half of the coins.
  *
  * Returns exit status 1 if a coin was lost, was counted twice, or was counted before its pulse
- * ended. It also returns 1 if too few faults were reported: each jam (long pulse) and nine of ten
- * knocks (short pulses) must be reported as a fault. A few knocks may be missed, because a knock
- * looks like a spark if the kernel reads the line late. */
+ * ended. The exit status is also 1 if too few faults were reported: each jam (long pulse) and nine
+ * of ten knocks (short pulses) must be reported as a fault. A few knocks may be missed, because a
+ * knock looks like a spark if the kernel reads the line late. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>

@@ -2,8 +2,8 @@
  * screen of DISPLAY.
  *
  * Usage: fingers SEED SECONDS. The program sends STEPS_A_SECOND random steps (tests/monkey/whim.h)
- * per second. It finds the kiosk's window by the title. While no such window is visible, it sends
- * nothing. */
+ * per second. The program finds the kiosk's window by its title. While no such window is visible,
+ * the program sends nothing. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

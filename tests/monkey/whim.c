@@ -54,8 +54,8 @@ static int repeats_escape(const struct rng_key *from)
 
 struct whim whim_at(uint32_t seed, uint32_t step)
 {
-    /* Possible widths and heights of the window in pixels. Some are below the kiosk's minimum,
-     * because a window manager may ignore this minimum. */
+    /* Possible widths and heights of the window in pixels. Some sizes are below the kiosk's
+     * minimum, because a window manager may ignore this minimum. */
     static const int sides[] = { 1, 2, 7, 16, 60, 120, 240, 320, 480 };
     const uint32_t side_count = sizeof sides / sizeof sides[0];
     const struct rng_key from = { seed, step, 0, RNG_TEST };

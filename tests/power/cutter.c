@@ -15,8 +15,8 @@
 #include "tests/power/go_on.h"
 
 /* After one of SECOND_EACH cuts, the power is cut a second time while the store recovers.
- * SECOND_EACH is prime, so that in time each kind of first cut (enum disk_luck) gets a second
- * one. */
+ * SECOND_EACH is prime, so that after enough cuts each kind of first cut (enum disk_luck) is
+ * followed by a second cut. */
 #define SECOND_EACH 149u
 #define GO_ON_EACH 100u
 #define PATH_SIZE 300u

@@ -181,7 +181,8 @@ static void check_ring(struct apart *apart, const struct poi *poi, const struct 
 }
 
 /* Returns the depth of a point inside the bowl's hull in m. The depth is a first-order
- * approximation of the distance to the hull's surface. It is negative if the point is outside. */
+ * approximation of the distance to the hull's surface. The result is negative if the point is
+ * outside. */
 static float point_in_hull_m(const struct bowl *bowl, vec3 point_m)
 {
     const vec3 p = v3_sub(point_m, bowl->position_m);

@@ -47,8 +47,8 @@ static void leave_queue(struct day *day)
     day->queue_length = kept;
 }
 
-/* Gives the free bowls to the first visitors of the queue. `queue_longest` does not count a visitor
- * who has just arrived at an empty queue, because this visitor does not wait. */
+/* Gives the free bowls to the first visitors of the queue. The member `queue_longest` does not
+ * count a visitor who has just arrived at an empty queue, because this visitor does not wait. */
 static void fill_bowls(struct day *day)
 {
     const bool is_queue =

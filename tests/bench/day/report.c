@@ -70,7 +70,8 @@ const char *report_advice(const struct day *day)
         return "the largest loss is the price: lower PRICE";
     }
     /* If as many visitors left the queue as played without a catch, the advice is about the queue.
-     * The other advice, an easier level, would lengthen the rounds and so the queue. */
+     * The report does not advise an easier level in this case, because rounds at an easier level
+     * last longer and lengthen the queue. */
     if (all.left >= empty) {
         return options->bowls < POI_MAX
                    ? "the largest loss is the queue: add bowls (PLAYERS), or shorten ROUND"

@@ -1,8 +1,8 @@
 /* visitor.c -- the table of the kinds of visitors, and the random numbers of each visitor.
  *
- * The shares of the kinds are assumptions. No stall is known that counted its visitors by skill,
- * patience or number of plays. An operator can replace each number below by a count at the own
- * stall. Where a source exists, the comment names it. */
+ * The shares of the kinds are assumptions. No published counts of visitors by skill, patience or
+ * number of plays are known. An operator can replace each number below by a number that was counted
+ * at a real stall. If a source of a number exists, the comment below names the source. */
 #include "tests/bench/day/visitor.h"
 
 #include <math.h>

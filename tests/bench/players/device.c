@@ -92,7 +92,7 @@ static void send_touch(struct device *device, const struct player_command *comma
 
 /* Returns the deflection of the stick (0 to 1) that moves the ring at the fraction `share` of its
  * full speed. This function is the inverse of the decoder's dead zone and cubic response
- * (stick_motion.c), because an experienced player has learned both. */
+ * (stick_motion.c), because an experienced player compensates for both. */
 static float deflection_of(float share)
 {
     float push = share;

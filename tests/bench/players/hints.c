@@ -1,5 +1,5 @@
-/* hints.c -- proves each aid of the lessons: a simulated player who follows it catches more than a
- * player with the same fault who ignores it.
+/* hints.c -- proves that each aid of the lessons helps: a simulated player who follows the aid
+ * catches more than a player with the same fault who ignores the aid.
  *
  * Usage: hints SEEDS LEVEL [SIGN]
  *

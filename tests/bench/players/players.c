@@ -72,7 +72,8 @@ static bool play_all(struct league_hall *hall, double *took_s)
 /* Sums over the rounds of one player. */
 struct tally {
     uint32_t torn, scoops, near_misses, attempts, flights, sight, pressure;
-    /* Number of rounds in which the first torn cell had each cause. */
+    /* For each cause of a tear, the number of rounds in which the first cell of the paper tore for
+     * this cause. */
     uint32_t first[TEAR_CAUSE_COUNT];
     uint32_t cells[TEAR_CAUSE_COUNT], ends[ATTEMPT_END_COUNT];
     double torn_s, first_s, flight_s, flight_m, flight_above_m, flight_m_s;

@@ -23,7 +23,8 @@ static const struct habits taught = {
     .lost_px = 150.0f,
     .rise_s = 0.75f,
     .carry_px_s = 800.0f,
-    .dip_m_s = 0.25f, /* This and the next three members are those of a physical poi. */
+    /* The members dip_m_s, lift_m_s, entry_rad and tremor_m are used only for a physical poi. */
+    .dip_m_s = 0.25f,
     .lift_m_s = 0.15f,
     .entry_rad = 0.6f,
     .tremor_m = 0.002f,

@@ -1,5 +1,5 @@
 /* pupils.h -- pairs of simulated players that prove the aids of the lessons: one player ignores a
- * sign on the screen, and the other one follows it. */
+ * sign on the screen, and the other player follows the sign. */
 #ifndef KINGYO_TESTS_BENCH_PLAYERS_PUPILS_H
 #define KINGYO_TESTS_BENCH_PLAYERS_PUPILS_H
 

@@ -376,7 +376,8 @@ static void test_the_scene_shows_the_state_of_the_game(void **state)
     assert_int_equal(scene.caught[0], 5);
     assert_int_equal(scene.best_today, 8);
     assert_int_equal(scene.hint, HINT_LOST_POI);
-    core.game.hints.shown = HINT_BOWL; /* A hint beside the poi is not one of the whole screen. */
+    /* A hint that is shown beside the poi must not also appear as the hint of the whole screen. */
+    core.game.hints.shown = HINT_BOWL;
     core_scene(&core, &scene);
     assert_int_equal(scene.hint, HINT_NONE);
     assert_int_equal(scene.language, LANGUAGE_EN);

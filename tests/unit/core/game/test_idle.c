@@ -70,7 +70,7 @@ static void expect_attract_by_itself(enum left_behind what, const char *where)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
-/* Opens a kiosk with all game modes. It has a store, so that players may enter names. */
+/* Opens a kiosk with all game modes. The kiosk has a store, so that players may enter names. */
 static void open_stall(void)
 {
     struct core_config config = { .seed = 7, .fish_count = 12, .persistent.ledger.boots = 1 };

@@ -55,8 +55,8 @@ static void test_ten_minutes_of_attract_are_a_session(void **state)
     assert_true(core.config.seed != 3 && core.config.seed != second);
 }
 
-/* Simulates visitors for `ticks` ticks. They insert coins and press SERVICE, LANGUAGE, TEST and
- * START. */
+/* Simulates visitors for `ticks` ticks. The visitors insert coins and press SERVICE, LANGUAGE, TEST
+ * and START. */
 static void live(uint32_t ticks, struct input *input)
 {
     static const uint32_t presses[] = { INPUT_SERVICE, INPUT_LANGUAGE, INPUT_TEST,
@@ -74,8 +74,8 @@ static void live(uint32_t ticks, struct input *input)
     input->pressed = 0;
 }
 
-/* A second core gets the session's configuration and its inputs. It must reach the same state,
- * because replays depend on this. */
+/* A second core gets the session's configuration and its inputs. The second core must reach the
+ * same state, because replays depend on this. */
 static void test_a_session_depends_only_on_its_configuration_and_inputs(void **state)
 {
     (void)state;
@@ -187,8 +187,8 @@ static void test_the_picture_is_dark_only_at_the_session_change(void **state)
     assert_in_range(dark, 3u * SESSION_FADE_TICKS - 4u, 3u * SESSION_FADE_TICKS);
 }
 
-/* If a player dips during the fade, the session does not change. It ends when attract mode is
- * reached again. */
+/* If a player dips during the fade, the session does not change. The session ends when attract mode
+ * is reached again. */
 static void test_a_player_prevents_the_session_change(void **state)
 {
     (void)state;

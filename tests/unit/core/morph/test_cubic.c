@@ -43,8 +43,9 @@ static void test_the_curve_stays_between_two_adjacent_points(void **state)
     assert_no_overshoot(steps, COUNT);
 }
 
-/* At the curve's end, the slope that is computed from three points is 7.5. It must be limited to 3,
- * because the curve would otherwise overshoot the small rise beside the steep fall. */
+/* At the curve's end, the slope that is computed from three points is 7.5. The slope must be
+ * limited to 3, because the curve would otherwise overshoot the small rise beside the steep
+ * fall. */
 static void test_the_curve_does_not_overshoot_at_its_ends(void **state)
 {
     (void)state;

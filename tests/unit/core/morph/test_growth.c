@@ -136,7 +136,7 @@ static void test_growth_reports_where_it_is_monotonic(void **state)
 }
 
 /* At the last age of the table, the measured length is above the growth curve. The length must then
- * stay constant until the growth curve reaches it. It must not fall to the growth curve. */
+ * stay constant until the growth curve reaches it. The length must not fall to the growth curve. */
 static void test_a_fish_ahead_of_its_curve_pauses_and_does_not_shrink(void **state)
 {
     (void)state;

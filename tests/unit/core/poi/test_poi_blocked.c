@@ -107,8 +107,9 @@ static void test_a_blocked_ring_moves_no_water(void **state)
     }
 }
 
-/* The limit for catching up must apply only after a block. In this test nothing blocks the ring.
- * The player moves it 0.5 m back and forth at up to 2 m/s and stops suddenly. */
+/* After fish have blocked the ring, the ring follows the player's hand at a limited speed. This
+ * limit must not apply to a ring that was not blocked. In this test nothing blocks the ring. The
+ * player moves it 0.5 m back and forth at up to 2 m/s and stops suddenly. */
 static void test_a_fast_free_hand_motion_keeps_the_same_lag(void **state)
 {
     (void)state;

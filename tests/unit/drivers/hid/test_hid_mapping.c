@@ -363,8 +363,8 @@ static void test_the_longest_mapping_fits_into_its_line(void **state)
     assert_true(back.binding[HID_BINDING_MAX - 1u].dead == HID_VALUE_MAX);
 }
 
-/* Loads a simulated joystick with two axes. An array of `elements` elements reports the pressed
- * ones of the buttons 1 to 4. */
+/* Loads a simulated joystick with two axes. The joystick has four buttons. An array field of
+ * `elements` elements reports the numbers of the pressed buttons. */
 static void load_array(uint8_t elements)
 {
     const uint8_t bytes[] = { 0x05, 1,    0x09, 4,        0xa1, 1, 0x09, 0x30, 0x09, 0x31,

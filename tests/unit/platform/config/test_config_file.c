@@ -103,7 +103,8 @@ static void test_each_section_accepts_its_own_keys(void **state)
     assert_int_equal(options.is_file, 0);
 }
 
-/* Configuration files from before the menu had rows for dip and reach list them in [devices]. */
+/* In configuration files of older versions, the settings `dip` and `reach` are in the section
+ * [devices]. */
 static void test_dip_and_reach_are_read_from_both_of_their_sections(void **state)
 {
     (void)state;

@@ -261,8 +261,8 @@ static void test_offline_credits_and_entries_are_merged_exactly_once(void **stat
     }
 }
 
-/* The card is back, but another program locks the database. The kiosk must keep the coins until it
- * can write them. */
+/* The memory card is back, but another program locks the database. The kiosk must keep the coins
+ * until it can write them. */
 static void test_offline_credits_are_kept_until_the_card_is_writable(void **state)
 {
     (void)state;

@@ -33,7 +33,7 @@ static struct mouse_player {
     struct pointer_report reports[MOMENTS_MAX]; /* Mouse reports since the last frame. */
     struct pointer_report last;
     uint32_t report_count, moment_count;
-    uint32_t moments; /* Length of a frame in moments, 1 .. MOMENTS_MAX. */
+    uint32_t moments; /* Length of a frame in moments (intervals of 1/60 s), 1 .. MOMENTS_MAX. */
     float x_px, y_px;
     uint32_t buttons;
 } player;
@@ -50,8 +50,8 @@ static void frame(void)
         controller_is_lost(&player.kiosk.core.world, 0));
 }
 
-/* Advances the time by one moment. The mouse sends a report only if its position in whole pixels or
- * a button has changed. */
+/* Advances the time by one moment (1/60 s). The mouse sends a report only if its position in whole
+ * pixels or a button has changed. */
 static void moment(void)
 {
     const struct pointer_report *last = &player.last;
@@ -191,9 +191,9 @@ static void try_once(void)
     }
 }
 
-/* Plays `rounds` rounds with `picture_moments` moments per frame. Returns the number of fish that
- * reach the bowl. Four rounds are too few, because their sum varies by half of its mean with the
- * seeds. */
+/* Plays `rounds` rounds in which a frame lasts `picture_moments` moments of 1/60 s. Returns the
+ * number of fish that reach the bowl. Four rounds are too few, because their sum varies by half of
+ * its mean with the seeds. */
 static uint32_t landed_in(uint32_t rounds, uint32_t picture_moments)
 {
     uint32_t landed = 0;
@@ -240,7 +240,7 @@ static void glide(float px_per_moment, uint32_t count)
 }
 
 /* Dips the ring, moves the pointer 79 pixels (about 6 cm) to the right and back under water, and
- * lifts the ring. Does all this twice, with `picture_moments` moments per frame. */
+ * lifts the ring. Does all this twice. A frame lasts `picture_moments` moments of 1/60 s. */
 static void dip_twice(uint32_t seed, uint32_t picture_moments)
 {
     begin_round(seed, 1);
@@ -285,8 +285,8 @@ static void test_four_careful_dips_do_not_tear_the_paper(void **state)
     }
 }
 
-/* Presses or releases the dip button 60 times, every `stroke_moments` moments, while the pointer
- * moves by `step_px` per moment. Returns the smallest share of paper that was left. */
+/* Presses or releases the dip button 60 times, every `stroke_moments` moments (1/60 s), while the
+ * pointer moves by `step_px` per moment. Returns the smallest share of paper that was left. */
 static float paper_after_dips(float step_px, uint32_t stroke_moments)
 {
     begin_round(1, 1);

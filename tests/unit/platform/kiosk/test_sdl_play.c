@@ -239,9 +239,9 @@ static void say_nothing(void)
 {
 }
 
-/* Plays with a mouse from START to the first dip. The visitor waits `look_s` in the selection of
- * game modes, and then clicks on the wooden tag `tag`. If `tag` is MODE_TAG_COUNT, the visitor
- * clicks without moving the pointer. Returns the time in seconds. */
+/* Plays with a mouse from START to the first dip. The visitor waits for `look_s` seconds in the
+ * selection of game modes, and then clicks on the wooden tag `tag`. If `tag` is MODE_TAG_COUNT, the
+ * visitor clicks without moving the pointer. Returns the time in seconds. */
 static float start_to_dip_s(uint32_t tag, float look_s)
 {
     const struct kiosk_config config = { .core = { .seed = 1,
@@ -438,7 +438,8 @@ static void test_the_setting_reach_reaches_the_mouse(void **state)
         frames(60);
         z_m[i] = ring_m().z;
     }
-    /* With a reach of 60 %, 45 % of the height is close to the top of the reached part. */
+    /* With a reach of 60 %, the player moves the pointer only in the lower 60 % of the picture. At
+     * 45 % of the height from the top, the pointer is close to the upper end of this part. */
     print_message("the ring is at %.2f m, and at %.2f m with a reach of 60 %%\n", (double)z_m[0],
                   (double)z_m[1]);
     assert_true(z_m[1] < z_m[0] - 0.1f);

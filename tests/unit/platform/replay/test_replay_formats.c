@@ -1,13 +1,13 @@
 /* test_replay_formats.c -- Tests that recordings of older formats replay with their original
  * results, and only under the rules of their format.
  *
- * Older versions of Kingyo wrote these recordings. tests/replay/format-7.replay starts with an open
- * paid round after a power cut. A player wins tickets, and the next round is refunded because the
- * controller is lost. tests/replay/format-8.replay starts without a store and with tickets that are
- * still due. A visitor chooses a language, pays and wins a ticket. The next round is refunded
- * because the controller is lost. tests/replay/format-9.replay visits the operator's menu: LEFT and
- * RIGHT move the highlight, and a poi changes values. Then a poi appears over a tag of the mode
- * selection and dips in the left half of the tank. */
+ * Older versions of Kingyo wrote these recordings. tests/replay/format-7.replay starts with a paid
+ * round that a power cut has interrupted. A player wins tickets, and the next round is refunded
+ * because the controller is lost. tests/replay/format-8.replay starts without a store and with
+ * tickets that are still due. A visitor chooses a language, pays and wins a ticket. The next round
+ * is refunded because the controller is lost. tests/replay/format-9.replay visits the operator's
+ * menu: LEFT and RIGHT move the highlight, and a poi changes values. Then a poi appears over a tag
+ * of the mode selection and dips in the left half of the tank. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -83,8 +83,8 @@ static void test_a_full_credit_count_rejects_coins_and_loses_no_inserted_coin(vo
     drop(CREDITS_MAX * PRICE);
     assert_int_equal(credits(), CREDITS_MAX);
     assert_int_equal(output.coin_lockout, 1);
-    /* Inserts more coins, as if they had been in the slot when it closed. Their value stays in the
-     * balance as units. */
+    /* Inserts more coins, as if they had been in the slot when it closed. The value of these coins
+     * stays in the balance as units. */
     drop(PRICE);
     assert_int_equal(credits(), CREDITS_MAX);
     assert_int_equal(balance()->units, PRICE);

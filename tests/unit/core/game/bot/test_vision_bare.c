@@ -117,8 +117,8 @@ static void keep_fish(struct fish *fish, const struct fish *from)
     fish->air = gulps ? (uint8_t)AIR_GULPS : fish->air;
 }
 
-/* Copies only the visible state of a poi. The scene shows whether any player controls the poi. It
- * shows the water as a depth, and wetness and damage in 255 steps. */
+/* Copies only the visible state of a poi. The scene shows whether any player controls the poi. The
+ * scene shows the water as a depth, and wetness and damage in 255 steps. */
 static void keep_poi(struct poi *poi, const struct poi *from)
 {
     KEEP(poi, from, poi_parts);

@@ -314,8 +314,8 @@ static void test_motion_during_late_reports_is_valid(void **state)
     expect_for(20, INPUT_VALID);
 }
 
-/* After late reports, the poi follows the missed motion at 4/3 of its original speed. It therefore
- * catches up in three quarters of the duration of the gap. */
+/* After late reports, the poi follows the missed motion at 4/3 of its original speed. The poi
+ * therefore reaches the reported pose after three quarters of the duration of the gap. */
 static void test_missed_motion_is_followed_in_three_quarters_of_its_time(void **state)
 {
     for (uint32_t period = 1; period <= INPUT_SILENT_TICKS; period += period < 13 ? 1u : 7u) {

@@ -341,8 +341,8 @@ static void test_no_controller_fault_tears_paper_in_any_place(void **state)
 
 /* ---- Pose errors below the limits ----------------------------------------------------------- */
 
-/* A small error of the reported pose. It amounts to some centimetres or degrees, and lasts for some
- * ticks or for ever. */
+/* A small error of the reported pose. The error amounts to some centimetres or degrees, and lasts
+ * for some ticks or for ever. */
 struct stray {
     float up_m, aside_m, roll_rad, pitch_rad;
     /* 1 if the error is so small that the poi must accept it as the new true pose when it is

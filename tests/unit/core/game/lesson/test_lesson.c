@@ -339,7 +339,8 @@ static void test_the_bots_dips_before_the_game_do_not_end_the_ghost(void **state
     assert_int_equal(core.game.phase, PHASE_READY);
     lesson_show(&core.lessons, &core.game, &core.world, 0, &shown);
     assert_true(shown.ghost.is_present);
-    while (core.game.phase == PHASE_READY) { /* The ghost continues in the round. */
+    while (core.game.phase == PHASE_READY) { /* The ghost poi (the demonstration) continues in the
+                                                round. */
         assert_int_equal(core_tick(&core, &input, &output), CORE_OK);
     }
     assert_int_equal(core_tick(&core, &input, &output), CORE_OK);

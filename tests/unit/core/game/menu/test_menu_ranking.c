@@ -50,8 +50,8 @@ static void test_only_rows_with_a_score_can_be_activated(void **state)
     (void)state;
     open_ranking();
     assert_int_equal(menu_enabled(&core.game.menu), 7u | 3u << RANKING_NEXT);
-    /* The next leaderboard is that of the week. It has no score, so none of its rows can be
-     * selected. */
+    /* The next leaderboard is that of the week. This leaderboard has no score, so none of its rows
+     * can be selected. */
     take(RANKING_NEXT);
     assert_int_equal(menu_enabled(&core.game.menu), 3u << RANKING_NEXT);
     take(RANKING_BACK);

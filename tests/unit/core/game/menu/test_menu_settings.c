@@ -504,8 +504,8 @@ static void test_a_factory_reset_requires_a_confirmation(void **state)
     assert_int_equal(menu()->page, MENU_UPKEEP);
     assert_int_equal(newest()->id, before + 1u);
     assert_int_equal(newest()->kind, LEDGER_FACTORY);
-    /* The ledger entry of the reset contains the number of deleted paid credits. They count as
-     * expired. */
+    /* The ledger entry of the reset contains the number of deleted paid credits. These credits
+     * count as expired. */
     assert_int_equal(newest()->count, 3);
     assert_int_equal(core.game.accounts.audits.count[AUDIT_EXPIRED], 3);
     assert_int_equal(output.commands[(output.command_count - 1u) % CONTROLLER_COMMAND_MAX].kind,

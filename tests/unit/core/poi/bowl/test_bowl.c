@@ -238,8 +238,8 @@ static void test_a_bowl_holds_fewer_large_fish(void **state)
 {
     (void)state;
     drop_in_all(40, 0.06f);
-    /* The bowl can hold 0.172 kg of fish, which is the mass of 33 fish of 6 cm. It was therefore
-     * emptied before the 40th fish. */
+    /* The bowl can hold 0.172 kg of fish, which is the mass of 33 fish of 6 cm. The bowl was
+     * therefore emptied before the 40th fish. */
     assert_true(bowl.fish_count < 40);
     assert_true(bowl.fish_count > 0);
 }

@@ -137,8 +137,8 @@ static void test_slaps_move_a_fish_down_a_slope_that_friction_would_hold(void **
         shaken += carried.x_m;
     }
     assert_float_equal(still, 0.0f, 0.0f);
-    /* The slaps must move the fish by more than 10 mm on average. They move it down the slope, to
-     * the right. */
+    /* The slaps must move the fish by more than 10 mm on average. The slaps move the fish down the
+     * slope, to the right. */
     assert_true(shaken / 20.0f > 0.010f);
 }
 
@@ -205,7 +205,8 @@ static void test_paper_that_sags_around_a_fish_calms_it(void **state)
     (void)state;
     const float flat = vigour_after(0.0f), cradled = vigour_after(0.003f);
     assert_float_equal(1.0f - cradled, 1.45f * (1.0f - flat), 0.15f * (1.0f - flat));
-    /* Paper that bulges upward does not surround the fish. It must therefore not calm the fish. */
+    /* Paper that bulges upward does not surround the fish. Such paper must therefore not calm the
+     * fish. */
     assert_true(vigour_after(-0.003f) >= flat);
 }
 

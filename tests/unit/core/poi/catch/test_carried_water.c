@@ -25,8 +25,8 @@ static void test_a_level_poi_carries_a_film_and_a_pool(void **state)
     (void)state;
     fixture_init(&fixture, 6, 1);
     lift_out(0.0f, 0.15f, 0.3f);
-    /* The film of water is 0.3 mm thick on both faces of the paper (50 cm^2 each). It weighs 3
-     * g. */
+    /* The film of water is 0.3 mm thick on both faces of the paper (50 cm^2 each). The film weighs
+     * 3 g. */
     assert_float_equal(fixture.poi.film_kg, 0.003f, 0.0005f);
     const float belly_kg = 0.5f * F_PI * 0.04f * 0.04f * fixture.poi.sheet.sag_m * WATER_KG_M3;
     assert_true(fixture.poi.pool_kg > 0.9f * belly_kg);

@@ -252,8 +252,8 @@ static void test_more_fish_than_the_poi_can_carry_spill_over_the_ring(void **sta
     uint8_t rode[POI_CARRIED_MAX + 8u], swam[POI_CARRIED_MAX + 8u] = { 0 };
     for (uint32_t i = 0; i < fixture.tank.fish_count; i++) {
         rode[i] = rides(i);
-        /* Each fish that is not carried must be under water. It must neither lie on the ring nor
-         * stay in the air. */
+        /* Each fish that is not carried must be under water. Such a fish must neither lie on the
+         * ring nor stay in the air. */
         if (!rode[i]) {
             assert_true(fixture.tank.fish[i].position_m.y < 0.0f);
         }

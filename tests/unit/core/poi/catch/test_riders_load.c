@@ -101,8 +101,8 @@ static void test_a_slap_loads_the_paper_at_the_tail(void **state)
     assert_float_equal(fixture.poi.loads[0].z_m, 0.0f, 1e-5f);
     assert_float_equal(fixture.poi.loads[0].diameter_m, 0.003f, 0.0f);
     assert_float_equal(fixture.poi.loads[0].force_n, -0.05f, 0.0f);
-    /* The element loads[1] is the fish's weight. It acts at the middle of the body and is spread
-     * over 20 mm. */
+    /* The element loads[1] is the fish's weight. The weight acts at the middle of the body and is
+     * spread over 20 mm. */
     assert_float_equal(fixture.poi.loads[1].x_m, 0.0f, 0.0f);
     assert_float_equal(fixture.poi.loads[1].diameter_m, 0.020f, 0.0f);
     assert_float_equal(fixture.poi.loads[1].force_n, -0.0285f, 0.001f);

@@ -328,8 +328,8 @@ static void test_stress_factors_multiply_where_the_wet_line_meets_the_ring(void 
     }
     sheet.touched = 1;
     press(&sheet, 40.0f, 0.01f);
-    /* Index of the last wet column, where the stress is highest. It is beside the line between wet
-     * and dry paper. */
+    /* Index of the last wet column, where the stress is highest. This column is beside the line
+     * between wet and dry paper. */
     const uint32_t line = SHEET_SIDE / 2u - 1u;
     const float off = stress_at(&sheet, SHEET_SIDE / 2u, line - 4u);
     assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, line) / off, 2.5f, 0.1f);

@@ -192,8 +192,8 @@ static void test_latency_is_8_to_15_ms_for_pressure_and_60_to_150_ms_for_sight(v
     assert_float_equal(mean_s, 0.105f, 0.002f);
     assert_true(least_s > 0.060f - half_tick_s && least_s < 0.068f);
     assert_true(most_s < 0.150f + half_tick_s && most_s > 0.142f);
-    /* With a shadow, this latency begins when the alarm of the fish has reached its threshold. It
-     * is therefore shorter than the total time of up to 150 ms. */
+    /* With a shadow, this latency begins when the alarm of the fish has reached its threshold. The
+     * latency is therefore shorter than the total time of up to 150 ms. */
     latency(STARTLE_SHADOW, GAIT_SWIM, &mean_s, &least_s, &most_s);
     assert_true(least_s >= 0.060f && most_s < 0.115f + half_tick_s);
 }

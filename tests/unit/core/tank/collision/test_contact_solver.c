@@ -196,7 +196,8 @@ static void test_a_blocked_obstacle_loses_its_unused_speed_and_turn(void **state
     assert_int_equal(disc.turned, 0);
 }
 
-/* Number of fish. It is not divisible by any number of lanes, so the last block is incomplete. */
+/* Number of fish. The number is not divisible by any number of SIMD lanes, so the last block is
+ * incomplete. */
 enum { MANY = 203 };
 
 /* Runs the solver on the crowd of begin_step() with `lanes` SIMD lanes. If `alone` is set, the

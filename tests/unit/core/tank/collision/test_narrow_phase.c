@@ -16,7 +16,8 @@
 
 #define COUNT_MAX 700u
 #define FOUND_MAX (COUNT_MAX * COUNT_MAX / 2u)
-/* Side of a grid cell in metres. It equals the diagonal of a personal space of 7 x 4 x 3 cm. */
+/* Side of a grid cell in metres. The side equals the diagonal of a personal space of 7 x 4 x 3
+ * cm. */
 #define CELL_EXACT_M 0.08602f
 #define ROUNDING_M 1e-6f
 

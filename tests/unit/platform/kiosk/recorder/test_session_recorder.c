@@ -30,8 +30,9 @@ static struct hal_storage storage;
 static uint8_t room[SESSION_RECORDER_SIZE];
 static int hand_is_away;
 
-/* Advances two cores by one tick: `bots`, in which a bot plays, and the tested `core`. A simulated
- * controller sends the bot's poses to `core`, so that `core` records a human player. */
+/* Advances two cores by one tick: the core `bots`, in which a bot plays, and the tested core
+ * `core`. A simulated controller sends the bot's poses to `core`, so that `core` records a human
+ * player. */
 static void tick(uint32_t pressed)
 {
     struct input by_bot = { .pressed = pressed, .poi[0].link = POI_SOURCE_BOT };

@@ -40,8 +40,9 @@ static void test_a_foreign_schema_object_is_rejected_in_every_version(void **sta
         for (size_t i = 0; i < ADDITION_COUNT; i++) {
             take_version(version);
             if (i + 1u == ADDITION_COUNT && version == 1) {
-                continue; /* Version 1 has only one table. Without this table, the file would count
-                             as new. */
+                /* Version 1 has only one table. A file without this table would count as a new
+                 * file. */
+                continue;
             }
             do_sql(additions[i]);
             assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
