@@ -124,8 +124,9 @@ float f_exp(float x)
 {
     const float c = f_clamp(x, -87.0f, 88.0f);
     const float n = f_floor(c * 1.44269504f + 0.5f);
-    const float r = (c - n * 0.693359375f) + n * 2.12194440e-4f; /* ln 2 is split into two parts to
-                                                                    keep the reduction accurate. */
+    const float r = (c - n * 0.693359375f) + n * 2.12194440e-4f; /* The constant ln 2 is split
+                                                                    into two parts, which keeps
+                                                                    the range reduction accurate. */
     const float high = 1.0f / 6.0f + r * (1.0f / 24.0f + r * (1.0f / 120.0f + r * (1.0f / 720.0f)));
     const float p = 1.0f + r * (1.0f + r * (0.5f + r * high));
     return p * float_of((uint32_t)((int32_t)n + 127) << 23);

@@ -58,8 +58,9 @@ float f_cos(float x); /* |error| < 2e-6 for |x| < 1000. */
 /* Returns the angle of the point (x, y) in (-pi, pi], with an error below 3e-6. For (0, 0) the
  * result is 0. */
 float f_atan2(float y, float x);
-float f_acos(float x); /* Clamps x to [-1, 1] first. The error is below 1e-4. */
-/* Clamps x to [-87, 88] first. The relative error is below 3e-6. */
+float f_acos(float x); /* Returns the arc cosine of x, clamped to [-1, 1]. The error is below
+                          1e-4. */
+/* Returns e^x, with x clamped to [-87, 88]. The relative error is below 3e-6. */
 float f_exp(float x);
 /* Returns the natural logarithm. The caller guarantees that x is > 0 and no denormal number. The
  * error is below 3e-6 for x in [1e-6, 1e6]. */

@@ -30,7 +30,8 @@ uint32_t printable_code_point(const char *text);
 char *printable_put(char *to, uint32_t point);
 
 /* Returns the code point at `*at` and advances `*at` past this code point. Returns 0 at the end of
- * the text. Malformed bytes are consumed one by one, and each returns PRINTABLE_MALFORMED. */
+ * the text. If the bytes at `*at` are not UTF-8, advances `*at` by one byte and returns
+ * PRINTABLE_MALFORMED. */
 uint32_t printable_next(const char **at);
 
 /* Returns the number of bytes of `text` that fit into `max` bytes without splitting a UTF-8

@@ -50,7 +50,7 @@ enum rng_purpose {
     RNG_SOUND,
     RNG_TEST,
     RNG_FISH_START_GAIT,
-    /* Part of the first gait's duration that is left at the start, as a random fraction. */
+    /* Random fraction of a fish's first gait that is left when the tank is opened. */
     RNG_FISH_START_LEFT,
     RNG_FISH_SHARP_TURN, /* Sharp turn of a fish at the start of a burst. */
     RNG_ESCAPE_STRAY,

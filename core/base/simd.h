@@ -1,5 +1,5 @@
-/* simd.h -- SIMD form of fmath.h: computes several floats at once, each with the bits of the scalar
- * result.
+/* simd.h -- SIMD form of fmath.h: computes several floats at once. The result of each lane is
+ * bit-identical to the result of the scalar function.
  *
  * A SIMD kernel is a source file named *_simd.c that uses these functions. A lane is one element of
  * a vector. Each kernel is compiled for four lanes (SSE2, NEON, or scalar code if the target has

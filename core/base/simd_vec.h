@@ -1,5 +1,5 @@
-/* simd_vec.h -- SIMD form of vec.h: computes SIMD_LANES vectors at once, each with the bits of the
- * scalar result. */
+/* simd_vec.h -- SIMD form of vec.h: computes SIMD_LANES vectors at once. The result of each lane is
+ * bit-identical to the result of the scalar function. */
 #pragma once
 
 #include "core/base/simd.h"

@@ -116,7 +116,7 @@ static inline bool v3_is_finite(vec3 a)
 
 struct basis vec_basis_from_angles(struct angles angles);
 
-/* Convert the components of a vector. vec_basis_to_world() converts body coordinates to world
- * coordinates, and vec_basis_to_body() converts world coordinates to body coordinates. */
+/* vec_basis_to_world() converts a vector from body coordinates to world coordinates.
+ * vec_basis_to_body() converts a vector from world coordinates to body coordinates. */
 vec3 vec_basis_to_world(const struct basis *basis, vec3 body);
 vec3 vec_basis_to_body(const struct basis *basis, vec3 world);

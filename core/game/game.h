@@ -190,7 +190,7 @@ struct game {
      * selected. */
     uint8_t mode;
     uint8_t lab_chosen; /* 1 if the growth lab is selected in the mode selection, otherwise 0. */
-    /* 1 if the tags of the mode selection are on the portrait canvas, otherwise 0. */
+    /* 1 if the mode selection is shown on the portrait canvas, otherwise 0. */
     uint8_t upright;
     uint8_t bot_played; /* 1 if the bot controlled a poi in this round, otherwise 0. */
     /* 1 if a player or the bot has had a poi in use in this round, otherwise 0. */

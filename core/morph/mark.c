@@ -1,7 +1,7 @@
 /* mark.c -- computes the painted marks of a fish: spots, rows of dots, bars, lines, fin margins,
  * patches, marks on one side, and the slits of mouth and gill.
  *
- * The cover of a mark at a point is the opacity of the mark, from 0 (not painted) to 1 (fully
+ * The coverage of a mark at a point is the opacity of the mark, from 0 (not painted) to 1 (fully
  * painted). Each mark is a function of the body coordinates of a point and has soft edges. Marks
  * therefore move with the skin as the fish grows and need no texture. Lengths are in body lengths.
  * The member `flank` of a point converts distances around the girth to body lengths. */
@@ -107,13 +107,13 @@ static float to_middle(float x)
     return f_max(f_max(CELL_RIM - x, x - (1.0f - CELL_RIM)), 0.0f);
 }
 
-/* Returns the cover of a mark with about `count` spots on each flank. A grid divides the area of
+/* Returns the coverage of a mark with about `count` spots on each flank. A grid divides the area of
  * the mark into cells, and each cell has one spot at a random place. Only the spots of the nine
  * cells around the point are tested.
  *
  * Every column of the grid has the same number of cells. Toward the tail, the distance from back to
- * belly is shorter, and therefore the cells are less high. The spots are smaller there, so that no
- * spot is cut off. */
+ * belly is shorter, and therefore the cells are lower. The spots are smaller there, so that no spot
+ * is cut off. */
 static float spots(const struct species_mark *m, const struct mark_point *at)
 {
     const float top = down_of(at, m->high), bottom = down_of(at, m->low);
@@ -150,9 +150,9 @@ static float spots(const struct species_mark *m, const struct mark_point *at)
     return cover;
 }
 
-/* Returns the cover of a mark that consists of rows of dots. For this mark, `seed` is the number of
- * rows, and `count` is the number of dots in each row. Odd rows are offset from even rows by half a
- * step. Toward the tail, the rows are closer together, and the dots are smaller and flatter.
+/* Returns the coverage of a mark that consists of rows of dots. For this mark, `seed` is the number
+ * of rows, and `count` is the number of dots in each row. Odd rows are offset from even rows by
+ * half a step. Toward the tail, the rows are closer together, and the dots are smaller and flatter.
  * Therefore no dot is cut off. */
 static float rows(const struct species_mark *m, const struct mark_point *at)
 {
@@ -170,9 +170,9 @@ static float rows(const struct species_mark *m, const struct mark_point *at)
     return disc(f_sqrt(dx * dx + dy * dy * lower * lower), m->width * thinner);
 }
 
-/* Returns the cover of `count` equally spaced lines. `extent` is the distance between the first and
- * the last limit of the mark, across the lines. `offset` is the distance of the point from the
- * first limit. */
+/* Returns the coverage of a mark that consists of `count` equally spaced lines. `extent` is the
+ * distance between the first and the last limit of the mark, across the lines. `offset` is the
+ * distance of the point from the first limit. */
 static float lines(const struct species_mark *m, float offset, float extent)
 {
     const float count = f_max((float)m->count, 1.0f);

@@ -70,14 +70,14 @@ enum graph_fault {
     GRAPH_NEGATIVE, /* The weight of key `key` at knot `knot` is negative or NaN. */
     /* The weights of knot `knot` sum to `value`, which differs from 1 by more than 1e-6. */
     GRAPH_SUM,
-    /* graph_solve() fails for a graph that requests exaggerated shapes (`solved`), because key
-     * `key` has too little weight at its own progress. */
+    /* The graph has `solved` set, but graph_solve() fails, because key `key` has too little weight
+     * at the progress of this key. */
     GRAPH_UNSOLVABLE,
 };
 
 struct graph_verdict {
-    uint8_t fault; /* First fault that graph_check() found (enum graph_fault). The members `knot`,
-                      `key` and `value` give its place. */
+    uint8_t fault; /* First fault that graph_check() found (enum graph_fault). The members
+                      `knot`, `key` and `value` give the place of the fault. */
     uint8_t knot, key;
     float value;
 };
@@ -103,7 +103,7 @@ bool graph_solve(const struct graph *graph, uint32_t key_count,
 /* Standard graphs, which a caller can use in place of the graphs of a species. */
 
 enum graph_template {
-    TEMPLATE_OWN = 0,  /* The species keeps its own graphs. */
+    TEMPLATE_OWN = 0,  /* The graphs of the species are used unchanged. */
     TEMPLATE_ORDINARY, /* Only the first and the last key are blended (2005 thesis, eq. 3.1). */
     /* Two adjacent key shapes are blended at a time, and each reaches the weight 1 (2005 thesis,
      * figure 3.8). */

@@ -175,9 +175,9 @@ static void tip_over_bowl(struct poi *poi, const struct bowl *bowl, bool has_wri
     poi->tip += f_clamp(goal - poi->tip, -step, step);
 }
 
-/* Returns the pose `target` rotated toward the bowl by the progress of the tip (the automatic tilt
- * of the poi over its bowl). While the poi is tipped, the returned pose is also higher, because the
- * fish would otherwise slide out below the bowl's mouth. */
+/* Returns the pose `target` after the automatic tip, which tilts the poi over its bowl. The angle
+ * of the tip grows with its progress, `poi->tip`. While the poi is tipped, the returned pose is
+ * also higher, because the fish would otherwise slide out below the bowl's mouth. */
 static struct poi_target tipped_target(const struct poi *poi, const struct bowl *bowl,
                                        struct poi_target target)
 {

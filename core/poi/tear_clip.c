@@ -19,8 +19,8 @@
  * Simulated visitors who move with care reach about 0.5 of that strength. */
 #define MODERATE_SHARE 0.567f
 
-/* Returns the highest tension, N/m, that some loads of the poi cause in the paper at their places.
- * The loads have the numbers `from` to `to` - 1. */
+/* Returns the highest tension, N/m, that a single load of the poi causes in the patch of paper on
+ * which the load acts. Only the loads with the numbers `from` to `to` - 1 are included. */
 static float patch_tension_n_m(const struct poi *poi, uint32_t from, uint32_t to)
 {
     float most = 0.0f;

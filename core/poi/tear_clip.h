@@ -11,8 +11,8 @@
  * TEAR_CLIP_SHOWN_TICKS. Therefore the slow motion has two fifths of the real speed and 24 frames
  * per second. */
 #define TEAR_CLIP_FRAME_TICKS 2u
-/* Number of frames in a recording, which lasts one second. If a player is hasty, the paper tears
- * within half a second after the dip. */
+/* Number of frames in a recording, which lasts one second. If a player moves the poi too fast, the
+ * paper tears within half a second after the dip. */
 #define TEAR_CLIP_FRAMES (CORE_TICK_HZ / TEAR_CLIP_FRAME_TICKS)
 /* Number of frames (a quarter of a second) that are recorded after the first tear, while the hole
  * opens. */

@@ -111,7 +111,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         NOISE(0.30f, 70.0f, 3.0f, 20.0f, 1800.0f, 2400.0f, 25.0f, 0.5f, 1.0f),
         TONE(0.14f, 0.0f, 12.0f, 45.0f, 190.0f, 260.0f, 60.0f),
     }, .length_ms = 320.0f },
-    /* A near miss ("o-shi-i"): a bamboo flute sighs down a third, with a little breath. */
+    /* A near miss ("o-shi-i"): a bamboo flute plays two falling notes about a third apart, with a
+     * little breath noise. */
     [SOUND_MISS] = { .layer = {
         TONE(0.26f, 0.0f, 14.0f, 60.0f, 784.0f, 760.0f, 60.0f),
         TONE(0.24f, 130.0f, 14.0f, 110.0f, 659.0f, 587.0f, 120.0f),

@@ -52,8 +52,8 @@ struct behavior_params {
      * (2013 thesis, section 3.1). The limit is `wall_per_length` body lengths plus the distance
      * that the fish swims in the time `wall_within_s`. */
     float wall_per_length;
-    /* Time that determines a part of the distance to a wall below which a fish turns away: the path
-     * that the fish swims in this time. */
+    /* Part of the limit distance to a wall, given as the time in which the fish swims that part. A
+     * fish turns away from a wall that is nearer than the limit distance. */
     float wall_within_s;
 
     /* The next parameters add the behavior of living fish to the rules of the 2013 thesis. */

@@ -9,11 +9,14 @@
 /* Strength with which a still shade attracts fish. The value is the factor S in eq. 3.5 of the 2013
  * thesis on goldfish behavior, converted to 1/s: 0.01 per frame at 60 frames per second. */
 #define PULL_PER_S 0.60f
-/* Lower limit of the intended speed at which a fish that a shade attracts turns. A slower fish
- * keeps its yaw, because the direction of a very slow velocity is nearly random. */
+/* Lower limit of the speed of the intended velocity, which is the sum of the fish's own velocity
+ * and the attraction of shades. Above the limit, the fish turns to the direction of this velocity.
+ * Below the limit, the fish keeps its yaw, because the direction of a very slow velocity is nearly
+ * random. */
 #define HARDLY_M_S 0.005f
-/* Speed, in body lengths per second, with which nearby fish must push a fish outward so that a
- * shade does not attract the fish any more. A weaker push reduces the attraction. */
+/* Speed, in body lengths per second, of a push by nearby fish that cancels the attraction of a
+ * shade completely. The push must point away from the shade. A weaker push reduces the
+ * attraction. */
 #define FULL_LENGTHS_PER_S 0.1f
 /* Width of the rim around a shade in which the shade already startles fish (design value). */
 #define FRIGHT_RIM_M 0.02f
@@ -107,7 +110,7 @@ bool shade_draw(const struct shade *shades, uint32_t count, const struct behavio
     }
     const float yaw_rad = fish->angles.yaw_rad;
     const vec3 own = v3_heading(course->heading_rad);
-    /* The attraction of a shade decreases if the fish in the shade push this fish outward.
+    /* The attraction of a shade decreases if other fish push this fish away from the shade.
      * Therefore no fish presses into a shade that is full of fish. */
     CORE_ASSERT(fish->length_m > 0.0f);
     const vec3 toward = v3_normalize_or(pull_m_s, pull_m_s);

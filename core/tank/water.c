@@ -58,8 +58,8 @@ void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m,
         return;
     }
     const float dx = size_m.x / (float)RIPPLE_X, dz = size_m.z / (float)RIPPLE_Z;
-    /* The radius of the push is at least 1.5 cells, because the grid cannot represent a smaller
-     * hollow. */
+    /* The dent in the surface has a radius of at least 1.5 cells, because the grid cannot represent
+     * a smaller dent. */
     const float reach_m = f_max(radius_m, 1.5f * f_max(dx, dz));
     const float at_x = (point_m.x + 0.5f * size_m.x) / dx - 0.5f;
     const float at_z = (point_m.z + 0.5f * size_m.z) / dz - 0.5f;
@@ -70,7 +70,7 @@ void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m,
             const float x = ((float)column - at_x) * dx, z = ((float)row - at_z) * dz;
             /* `push` is the depth in metres by which the cell is pressed down. The depth is
              * `depth_m` in the middle, negative in a raised rim, and 0 at the distance `reach_m`
-             * and beyond. The rim has the same volume as the hollow, because water is
+             * and beyond. The rim has the same volume as the dent, because water is
              * incompressible. */
             const float s = (x * x + z * z) / (reach_m * reach_m);
             const float push =

@@ -147,8 +147,8 @@ bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edg
     CORE_ASSERT(input->accepted_ns != NEVER);
     input->lost += edge->lost_before;
     if (edge->time_ns <= input->accepted_ns) {
-        /* A polled level that was accepted in place of edge events already includes every edge up
-         * to `accepted_ns`. Therefore this edge is ignored. */
+        /* The filter has already accepted a polled level that includes the effect of this edge.
+         * Therefore the edge is ignored. */
         return false;
     }
     if (edge->lost_before == 0 && is_proof(other) && edge->time_ns <= other->since_ns &&

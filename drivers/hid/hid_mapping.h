@@ -160,7 +160,7 @@ uint32_t hid_mapping_score(const struct hid_identity *identity,
  * for an array of more than HID_ARRAY_MAX elements. */
 bool hid_mapping_is_array_of(const struct hid_group *group, const struct hid_binding *binding);
 
-/* Returns true if at least one binding has the role `role` and the manner `manner`. */
+/* Returns true if at least one binding has the role `role` and the kind `manner`. */
 bool hid_mapping_has_role(const struct hid_mapping *map, enum hid_role role,
                           enum hid_binding_kind manner);
 

@@ -178,7 +178,7 @@ void hid_port_init(struct hid_port *port, void (*wake)(void *self), void *wake_s
 
 /* ---- Functions for the transport ------------------------------------------------------------- */
 
-/* Attaches a controller to an empty port. `face` is copied. */
+/* Attaches a controller to an empty port. The identity and the descriptor in `face` are copied. */
 void hid_port_attach(struct hid_port *port, const struct hid_device_info *face);
 
 /* Detaches the controller. The frame loop can still take the queued reports. */

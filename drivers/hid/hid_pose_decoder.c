@@ -135,8 +135,8 @@ void hid_pose_decoder_set_view(struct hid_pose_decoder *decoder, const struct vi
 
 /* ---- From binding values to motion ---------------------------------------------------------- */
 
-/* Returns the sum of the values of all bindings with the role `role` and the manner `manner`.
- * HID_BINDING_KIND_COUNT means every manner. */
+/* Returns the sum of the values of all bindings that have the role `role` and the kind `manner`
+ * (enum hid_binding_kind). HID_BINDING_KIND_COUNT means every kind. */
 static float sum_of(const struct hid_pose_decoder *decoder, enum hid_role role,
                     enum hid_binding_kind manner)
 {

@@ -32,8 +32,8 @@ struct own_pose {
     /* Pose at which the poi stands still while the fan is used. After the fan is released, the poi
      * returns from this pose to the controller's position. */
     struct poi_target waits;
-    /* Progress of the poi's return: 0 means that the poi is at `waits`, 1 means that the poi is at
-     * the controller's position. */
+    /* Progress of the poi's return: 0 means that the poi is still at the pose `waits`, 1 means that
+     * the poi has reached the controller's position. */
     float back;
     struct fan_swing swing; /* Movement of the fan to the controller's position. */
     uint8_t sequence;       /* Sequence number of the newest report. */

@@ -162,7 +162,7 @@ struct pointer_poi {
 
     /* `lag_x` and `lag_y` are the offset of the poi from the pointer when the poi starts to return
      * to the pointer. `back_s` is the duration of this return above the water. `back_done_s` is the
-     * part of this duration that has passed. It advances more slowly under water. */
+     * part of this duration that has passed. Under water, `back_done_s` advances more slowly. */
     float lag_x, lag_y;
     float back_s, back_done_s;
 

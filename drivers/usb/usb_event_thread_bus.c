@@ -14,7 +14,7 @@
 /* Interval of the comparisons with the bus if libusb does not support hot-plug events. */
 #define NO_HOTPLUG_NS (1000u * NS_PER_MS)
 
-/* ---- Comparison with the bus ---------------------------------------------------------------- */
+/* ---- Comparison of the device table with the USB bus ---------------------------------------- */
 
 static struct usb_device_entry *find_entry(struct usb_event_thread *usb_thread,
                                            const libusb_device *device)

@@ -136,10 +136,10 @@ size_t replay_initial_state_encode(const struct core_config *config,
                                    uint8_t out[REPLAY_INITIAL_STATE_MAX]);
 
 /* Parses exactly `size` bytes, which may have any content, in format `version` (REPLAY_VERSION_MIN
- * .. REPLAY_VERSION). Leaves the catalog and the lanes of `config` unchanged. Sets fields that the
- * format lacks to 0. For an older format, sets config->rules to the rules of that format. Returns
- * true on success. If no recorder could have written these bytes, returns false, and `config` is
- * invalid. */
+ * .. REPLAY_VERSION). Leaves the catalog (config->book) and the number of SIMD lanes
+ * (config->lanes) unchanged. Sets fields that the format lacks to 0. For an older format, sets
+ * config->rules to the rules of that format. Returns true on success. If no recorder could have
+ * written these bytes, returns false, and `config` is invalid. */
 bool replay_initial_state_decode(struct core_config *config, const uint8_t *bytes, size_t size,
                                  uint32_t version);
 

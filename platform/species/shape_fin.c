@@ -47,8 +47,8 @@
 /* Position along the base of an eel's dorsal or anal fin, [0, 1]. Behind this position, the fin
  * merges with the tail fin. */
 #define JOIN_FROM 0.8
-/* Minimum distance of a visible fin point from the body's axis. The unit is the distance of the
- * skin from the axis in the same direction. */
+/* Minimum distance of a visible fin point from the body's axis, divided by the distance of the skin
+ * from the axis in the same direction. */
 #define CLEAR_OF 1.02
 
 static double stalk_depth(const struct key_text *key)

@@ -9,8 +9,8 @@
 /* Weight of the depth when the nearby fish are ranked by distance. A fish that is 1 cm deeper has
  * the same rank as a fish that is 4 cm farther away. */
 #define DEPTH_WEIGHT 4.0f
-/* Distance by which a gulping fish ranks nearer than it is, because gulping attracts the bot's
- * attention. */
+/* Distance that is subtracted from the distance of a gulping fish when the nearby fish are ranked,
+ * because gulping attracts the bot's attention. */
 #define GULP_M 0.04f
 /* Largest distance above the paper at which a fish in the water counts as above the paper. */
 #define OVER_M 0.045f

@@ -8,7 +8,8 @@
 #include "core/game/table_setup.h"
 #include "core/poi/world.h"
 
-/* Time in seconds in which a held LEFT or RIGHT button moves through a whole life. */
+/* Time in seconds in which a held LEFT or RIGHT button changes the displayed progress of the fish's
+ * growth from 0 to 1. */
 #define BUTTON_LIFE_S 9.0f
 
 void lab_begin(struct game *game, struct world *world, const struct core_config *config,
@@ -82,7 +83,7 @@ static bool track_lab_hand(struct lab *lab, const struct lab_book *book, uint32_
     return false;
 }
 
-/* ---- Motion through the life by buttons ------------------------------------------------------ */
+/* ---- Change of the displayed progress by buttons --------------------------------------------- */
 
 static void step_life(struct lab *lab, float way)
 {
@@ -105,7 +106,7 @@ static void take_lab_buttons(struct lab *lab, const struct lab_book *book, uint3
     if (down & INPUT_RIGHT) {
         step_life(lab, step);
     }
-    /* A short press of START starts or stops the playback of the life. */
+    /* A short press of START starts or stops the playback of the fish's growth. */
     if (input->pressed & INPUT_START) {
         lab_use(lab, book, LAB_PLAY, output);
     }

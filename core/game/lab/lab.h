@@ -1,11 +1,11 @@
-/* lab.h -- the growth lab: a page that plays a species' life and edits its growth graph.
+/* lab.h -- the growth lab: a page that plays the growth of a species and edits its growth graph.
  *
  * A controller moves a pointer over the page (pointer_mapping.h). The pointer is pressed while the
  * controller's pose is below POINTER_PRESS_Y_M, which a mouse reaches by its button.
  *
- * LEFT and RIGHT move through the life while they are held. A press of START starts or stops the
- * playback of the life. If START is held for LAB_END_TICKS, the kiosk leaves the lab. OK shows the
- * next species.
+ * LEFT and RIGHT change the displayed progress of the growth while they are held. A press of START
+ * starts or stops the playback of the growth. If START is held for LAB_END_TICKS, the kiosk leaves
+ * the lab. OK shows the next species.
  *
  * The lab has no score. In the lab, a key is a modelled growth stage of the species (key shape). */
 #pragma once
@@ -17,7 +17,7 @@
 #include "core/output.h"
 
 /* Opens the growth lab. The page shows the species that was displayed last, as a larva, and starts
- * the playback of its life. */
+ * the playback of its growth. */
 void lab_begin(struct game *game, struct world *world, const struct core_config *config,
                struct output *output);
 game_phase_tick lab_tick;
@@ -27,7 +27,7 @@ void lab_show(const struct lab *lab, const struct lab_book *book, struct scene_l
 
 /* ---- Species, buttons and pointer ------------------------------------------------------------ */
 
-/* Shows a species as a larva and starts the playback of its life. Uses the saved edit if one
+/* Shows a species as a larva and starts the playback of its growth. Uses the saved edit if one
  * exists. */
 void lab_take(struct lab *lab, const struct lab_book *book, uint32_t species);
 

@@ -1,9 +1,10 @@
 /* lab_edit.h -- edits a deformation graph: drags, adds and removes knots.
  *
- * A knot is a value of progress, which is a position in the life from 0 to 1, and the weight of
- * each key shape at this progress. Every function keeps the graph valid: the progress rises from 0
- * at the first knot to 1 at the last knot, and at each knot the weights are >= 0 and sum to 1 (2005
- * thesis, eq. 3.2 and figure 3.7). The functions have no side effects outside their arguments. */
+ * A knot is a value of progress, which is a position in the fish's growth from 0 to 1, and the
+ * weight of each key shape at this progress. Every function keeps the graph valid: the progress
+ * rises from 0 at the first knot to 1 at the last knot, and at each knot the weights are >= 0 and
+ * sum to 1 (2005 thesis, eq. 3.2 and figure 3.7). The functions have no side effects outside their
+ * arguments. */
 #pragma once
 
 #include <stdbool.h>
@@ -12,7 +13,8 @@
 #include "core/output.h"
 #include "core/morph/morph.h"
 
-/* Smallest difference in progress between two neighbouring knots: a fiftieth of a life. */
+/* Smallest difference in progress between two neighbouring knots: a fiftieth of the whole
+ * growth. */
 #define LAB_KNOT_GAP 0.02f
 #define LAB_NO_KNOT 255u
 

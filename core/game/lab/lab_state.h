@@ -33,9 +33,9 @@ struct album {
 /* Time without a press after which the kiosk leaves the growth lab even if a poi moves. A poi that
  * swings on its cord moves but never presses. */
 #define LAB_SWING_TICKS (180u * CORE_TICK_HZ)
-/* Duration of the playback of a life in the growth lab. */
+/* Duration of the playback of a fish's growth in the growth lab. */
 #define LAB_LIFE_TICKS (14u * CORE_TICK_HZ)
-/* Pause after the playback of a life, before the playback starts again. */
+/* Pause after the playback of a fish's growth, before the playback starts again. */
 #define LAB_REST_TICKS (5u * CORE_TICK_HZ / 2u)
 /* Time for which START must be held to leave the growth lab. */
 #define LAB_END_TICKS (3u * CORE_TICK_HZ / 2u)
@@ -48,7 +48,7 @@ enum lab_hold {
     HOLD_NOTHING = 0,
     HOLD_AGE,   /* The pointer drags the displayed age along the age axis. */
     HOLD_CHART, /* The pointer drags along the growth curve, which selects the displayed age. */
-    /* The pointer drags along the graph, which selects the displayed progress of the life. */
+    /* The pointer drags along the graph, which selects the displayed progress of the growth. */
     HOLD_PLOT,
     /* The pointer drags a knot (control point) of the weight curve of the key shape that `layer`
      * selects. */
@@ -84,7 +84,7 @@ struct lab {
     /* `stir_tick` is the tick of the last pointer motion. `act_tick` is the tick of the last
      * press. */
     uint32_t stir_tick, act_tick;
-    uint32_t rest_ticks;  /* Ticks since the playback of the life ended. */
+    uint32_t rest_ticks;  /* Ticks since the playback of the growth ended. */
     uint32_t start_ticks; /* Ticks for which START has been held. */
     /* `save_id` is the id of the newest edit sent to the store. `saved_id` is the id of the newest
      * edit confirmed on disk. */

@@ -6,7 +6,7 @@
  *   ghost. A dip ends the ghost of that player.
  * - A ring marks a fish that is easy to catch now, at the levels easy and normal.
  * - An arrow points to the player's bowl while a fish lies on the paper.
- * - A hint beside the poi names the next step, but only after the fault that the hint cures.
+ * - A hint beside the poi names the next step, but only after the fault that the hint corrects.
  *
  * Each player sees one aid at a time, near the player's own poi. The championship has no lessons
  * except two hints, which report an event: the paper is useless, or fish were poured into the bowl.

@@ -218,7 +218,8 @@ struct menu {
     uint8_t page; /* Open page (enum menu_page). */
     /* On a settings page: the row that was changed last; MENU_TAG_MAX means none. */
     uint8_t chosen;
-    /* 1 if the selection of a setting lowers its value; 0 if the selection raises its value. */
+    /* Direction in which the value of a setting changes when the operator selects the setting: 1
+     * means down, 0 means up. */
     uint8_t turns_down;
     /* 1 while the button or poi that selected a setting is still pressed, so the value keeps
      * changing; otherwise 0. */

@@ -10,8 +10,8 @@
 
 #define ZONE_M 0.06f /* Distance from the paper's plane beyond which no fish can touch the paper. */
 #define SQUEEZE_GAP_M 0.0005f
-/* Height of the hand's target above the ring from which a ring that fish block counts as jammed. At
- * this height, the hand pulls the ring up with 6.5 N. */
+/* Smallest height of the hand's target above the ring at which a ring blocked by fish counts as
+ * jammed. At this height, the hand pulls the ring up with 6.5 N. */
 #define JAM_PULL_M 0.03f
 /* Number of ticks (0.1 s) after which all fish over a jammed ring have left. The fish leave from
  * the edge inward. */

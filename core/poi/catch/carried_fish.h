@@ -38,8 +38,8 @@ struct poi;
 struct carried_fish {
     uint16_t fish; /* Index of the fish in the tank. */
     uint8_t state; /* State of the carried fish (enum carried_fish_state). */
-    /* Side on which the fish lies: +1 if its back points to the left as seen along its nose, -1 if
-     * its back points to the right. */
+    /* Side on which the fish lies. The value is +1 if the back of the fish is to the left of the
+     * direction of its nose, and -1 if the back is to the right. */
     int8_t side;
     /* True if the ring pressed the fish against a tank wall when the fish was captured, which is a
      * foul. */

@@ -66,11 +66,12 @@ void carried_load_gather(struct poi *poi, const struct basis *axes, float pull_m
 
 /* ---- Support of a fish by paper and ring ----------------------------------------------------- */
 
-/* Distance between test places along the body, in body lengths. The places reach from 0.36 body
- * lengths in front of the centre to 0.36 body lengths behind it. */
+/* Distance between neighbouring test points along the body of a fish, in body lengths. The points
+ * reach from 0.36 body lengths in front of the fish's centre to 0.36 body lengths behind the
+ * centre. */
 #define ALONG_STEP 0.18f
-/* Distance of the outer test points from the midline of the body, as a fraction of the body's
- * girth. The fraction is less than one half, because a body tapers. */
+/* Distance of the outer test points from the midline of the fish's body, as a fraction of the
+ * body's girth. The fraction is less than one half, because a body tapers. */
 #define ACROSS 0.30f
 
 static bool is_borne(const struct sheet *sheet, float x_m, float z_m)
@@ -144,8 +145,9 @@ bool carried_support_holds(const struct sheet *sheet, const struct carried_fish 
  * water. a is the radius of the ring, and 3 mm is its height. */
 #define RING_KG 0.0151f
 
-/* Returns the largest mass of the pool: about 3 g in the sag of a level poi, 15 g on an upside-down
- * poi, and 0 on a steep poi. `up_y` is the vertical component of the poi's unit normal. */
+/* Returns the largest mass of water that can collect in a pool on the paper. The mass is about 3 g
+ * in the sag of a level poi, 15 g on an upside-down poi, and 0 on a steep poi. `up_y` is the
+ * vertical component of the poi's unit normal. */
 static float pool_room_kg(const struct poi *poi, float up_y)
 {
     const float level = f_max(f_abs(up_y), 1e-3f);

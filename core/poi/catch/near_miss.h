@@ -11,7 +11,7 @@
 #include "core/poi/poi.h"
 
 /* Shortest time between two announcements for one poi. Most dips of a beginner fail, and an
- * announcement after each of these dips would disturb. */
+ * announcement after each of these dips would disturb the player. */
 #define NEAR_MISS_APART_TICKS (25u * CORE_TICK_HZ)
 /* Largest horizontal distance from the outer edge of the ring at which an escaped fish is a near
  * miss. */

@@ -14,16 +14,16 @@
 #include "core/tank/shade.h"
 #include "core/tank/water.h"
 
-/* Time constant with which a fish that is drawn (attracted) by a shade on the water reacts to a
- * change of the attraction. The delay keeps a fish from turning at every small change of the
- * attraction. */
+/* Time constant with which a fish reacts to a change of the attraction of a shade on the water. The
+ * delay keeps a fish from turning at every small change of the attraction. */
 #define DRAWN_TAU_S 0.5f
 /* Decay rate, 1/s, of `push_m_s`, the velocity that the flow around a poi (paper scoop) and
  * sidesteps add to a fish. Each decision adds the velocity of the flow times this rate and the time
  * step. Therefore `push_m_s` approaches the velocity of a constant flow. */
 #define PUSH_PER_S 12.0f
-/* Distance below the hull (the underside) of a floating bowl from which a fish can swim under the
- * bowl. A fish whose back is less deep shuns the bowl: it turns away. */
+/* Smallest distance between the hull (the underside) of a floating bowl and the back of a fish at
+ * which the fish can swim under the bowl. A fish whose back is less deep turns away from the
+ * bowl. */
 #define HULL_SHUN_DEPTH_M 0.01f
 
 bool fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct perception *around)

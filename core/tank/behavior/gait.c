@@ -199,8 +199,9 @@ float gait_run_up_s(float length_m)
 /* ---- Rhythm of tail beats and glides (burst-and-coast swimming) ------------------------------ */
 
 /* The tail beats and the glide after them each last a whole number of decision periods
- * (FISH_BEHAVIOR_TICKS). Therefore a fish that computes its rhythm only once per decision still
- * changes between beat and glide at the exact tick. */
+ * (FISH_BEHAVIOR_TICKS). The rhythm of an undisturbed fish is computed once per decision. Therefore
+ * each change between beat and glide is delayed by the same number of ticks, and the durations of
+ * beat and glide stay exact. */
 
 /* Shortest duration of a cycle, which consists of tail beats and the glide after them: 84 ticks of
  * 1/120 s, or 0.7 s. The cycle of an individual fish is up to 0.5 s longer. */

@@ -12,10 +12,11 @@
  * which equals 1.2 to 2 mg/L. */
 #define CHANCE_HALF_MG_L 1.8f
 #define CHANCE_WIDTH_MG_L 0.25f
-/* An exhausted fish (stamina 0) rises to the surface as often as a rested fish (stamina 1) rises in
- * water whose oxygen concentration is lower by this difference. */
+/* Difference between the oxygen concentration at which an exhausted fish (stamina 0) rises to the
+ * surface with a given probability, and the lower concentration at which a rested fish (stamina 1)
+ * rises with the same probability. */
 #define TIRED_MG_L 0.4f
-/* Oxygen concentration below which a fish stifles: it loses stamina at a rate that grows up to
+/* Oxygen concentration below which a fish loses stamina. The rate of the loss grows up to
  * `stifle_per_s` (struct behavior_params) as the concentration falls to 0. */
 #define STIFLE_MG_L 4.0f
 /* Stamina below which a fish that follows the rules of the 2013 thesis on goldfish behavior gulps

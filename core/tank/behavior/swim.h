@@ -66,7 +66,7 @@ void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward);
  * search for nearby fish. The distance is longer than any tank. */
 #define SWIM_FAR_M 1000.0f
 
-/* All fish of a tank as arrays that are indexed by fish. */
+/* Data of all fish of a tank. Element i of each array belongs to fish i. */
 struct shoal {
     struct fish *fish;
     /* Bodies of the swimming fish. The functions below leave the bodies of all other fish

@@ -123,8 +123,8 @@ static bool part_pair(const struct solver_step *all, struct contact *contact, in
     const vec3 left_a = move_body_limited(all, contact->a, v3_scale(solver, -share_a));
     const vec3 left_b =
         move_body_limited(all, contact->b, v3_sub(v3_scale(solver, 1.0f - share_a), left_a));
-    /* If the second fish could not move by its full part of the separation, the first fish moves by
-     * the remaining part. */
+    /* If the second fish could not move as far as intended, the first fish also moves by the
+     * distance that is missing. */
     move_body_limited(all, contact->a, v3_scale(left_b, -1.0f));
     return true;
 }

@@ -67,9 +67,9 @@ vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m)
 /* Distance per tick by which the paper of a poi pushes out a fish that got into the paper from the
  * side, over the ring. */
 #define PAPER_PUSH_M 0.0025f
-/* Speed of a poi's paper, along its normal, at which friction moves a fish in front of the paper
- * sideways at half of the paper's sideways speed. At a higher speed, the flow presses the fish more
- * strongly onto the paper, so the fraction is larger. */
+/* Speed of a poi's paper along its normal at which friction gives a fish in front of the paper half
+ * of the paper's sideways speed. At a higher speed, the flow presses the fish more strongly onto
+ * the paper, so the fraction is larger. */
 #define PIN_M_S 0.12f
 /* Largest push along the normal of a poi's ring, as a multiple of the fish's penetration into the
  * ring. This push makes a fish glide over the ring. */

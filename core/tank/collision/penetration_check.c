@@ -104,7 +104,8 @@ static bool move_with_same_obstacle(const struct solver_step *all, uint32_t carr
 
 /* Resolves the penetration of two fish. If an obstacle presses or carries one of the fish, moves
  * the fish along with the obstacle. Otherwise one fish returns to its previous pose, or both fish
- * if one is not enough. If either fish is enough, the fish that moved farther returns. */
+ * if one is not enough. If the return of either fish would resolve the penetration, the fish that
+ * moved farther returns. */
 static void choose_reverted(const struct solver_step *all, uint32_t a, uint32_t b, float allowed_m,
                             uint32_t round)
 {

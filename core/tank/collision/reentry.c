@@ -12,17 +12,17 @@
 #define DRAG_PER_S 6.0f
 /* Speed at which a fish sinks after it came back into the water (reentry). */
 #define SINK_M_S 0.03f
-/* Largest distance per tick by which other fish and obstacles push a fish in reentry. The value
- * equals 0.3 m/s, the speed at which a fish slips between other fish. */
+/* Largest distance per tick by which other fish and obstacles push a fish that came back into the
+ * water (reentry). The value equals 0.3 m/s, the speed at which a fish slips between other fish. */
 #define PUSH_MAX_M 0.0025f
-/* Largest distance per tick by which a fish in reentry that is above the water surface comes down,
- * for example from the paper of a poi (paper scoop). */
+/* Largest distance per tick by which a fish in reentry (a fish that came back into the water) moves
+ * down if the fish is above the water surface, for example on the paper of a poi (paper scoop). */
 #define FALL_MAX_M 0.010f
 /* Speed at which a fish in reentry slides sideways off the paper of a poi (paper scoop), which
  * would otherwise lift the fish out of the water again. */
 #define SLIDE_M_S 0.3f
-/* Speed at which a fish in reentry pushes a swimming fish aside that it overlaps. The value is also
- * the upper limit of all pushes on that swimming fish. */
+/* Speed at which a swimming fish is pushed aside if a fish in reentry overlaps the swimming fish.
+ * The value is also the upper limit of all pushes on the swimming fish. */
 #define ASIDE_M_S 0.06f
 #define HURRY_ALARM 0.5f
 #define BURST_S 0.6f
@@ -31,13 +31,13 @@
 #define BURST_LENGTHS 4.0f
 #define SWIM_S 0.5f /* Time from the end of the reentry of a fish until it chooses its next gait. */
 
-/* Ticks after which a fish that still overlaps other fish in reentry moves toward the nearest gap
- * between the other fish. Until then, only pushes separate the fish. */
+/* Number of ticks of reentry after which a fish that still overlaps other fish moves toward the
+ * nearest gap between the other fish. Until then, only pushes separate the fish. */
 #define SEEK_TICKS 16u
-/* Ticks after which a fish in reentry is placed directly into the nearest gap between other
- * fish. */
+/* Number of ticks of reentry after which a fish is placed directly into the nearest gap between
+ * other fish. */
 #define PUT_TICKS 48u
-/* Ticks between two searches for a gap between other fish, into which a fish in reentry fits. */
+/* Number of ticks between two searches for a gap between other fish that has room for the fish. */
 #define AGAIN_TICKS 8u
 #define SEEK_M_S 0.3f
 /* Radius around a fish in reentry within which find_gap() searches for a gap between other fish:
