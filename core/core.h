@@ -99,7 +99,8 @@ struct vision core_vision(const struct core *core, uint32_t player);
 const struct ranking *core_ranking(const struct core *core);
 
 /* Writes the health entry for a regular end of the program to `out`. The entry contains the uptime
- * and the counts of `input`. Returns true, or false if the kiosk has no store. */
+ * and the counts of `input`. Returns true. Returns false if the kiosk has no store, or if the
+ * ledger has no id left (LEDGER_ID_MAX); `out` must then not be used. */
 bool core_final_entry(const struct core *core, const struct input *input, struct ledger_entry *out);
 
 /* Fills every field of `scene` from `core`. The state in `core` is not changed. */

@@ -46,7 +46,7 @@ bool health_log_final(const struct accounts *accounts, const struct health_log *
     out->day = ledger->day;
     out->minute = ledger->minute;
     out->balance = ledger->balance;
-    return ledger->boot > 0;
+    return ledger->boot > 0 && ledger->last_id < LEDGER_ID_MAX;
 }
 
 /* Logs the entry about the kiosk's start and each due entry about uptime and faults. If the ledger

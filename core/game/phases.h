@@ -193,7 +193,8 @@ void health_log_write(struct accounts *accounts, struct health_log *health_log, 
 
 /* Prepares the last ledger entry before a shutdown, after the last tick: fills `out` with a
  * LEDGER_HEALTH that has the next id. The core's state does not change, so the state still matches
- * the session's recording. Returns true, or false if the kiosk has no store. */
+ * the session's recording. Returns true. Returns false if the kiosk has no store, or if the next id
+ * would be above LEDGER_ID_MAX; `out` must then not be used. */
 bool health_log_final(const struct accounts *accounts, const struct health_log *health_log,
                       uint32_t tick, const struct input *input, struct ledger_entry *out);
 

@@ -392,6 +392,9 @@ static void test_the_core_writes_no_entry_beyond_the_last_id(void **state)
     assert_int_equal(core.game.accounts.ledger.last_id, LEDGER_ID_MAX);
     /* The ledger is not safe, so the coin slot must be closed. */
     assert_false(ledger_is_safe(&core.game.accounts.ledger));
+    /* The last entry before a shutdown would have an id that no reader accepts. */
+    struct ledger_entry last;
+    assert_false(core_final_entry(&core, &input, &last));
 }
 
 /* ---- The core and the replay ----------------------------------------------------------------- */
