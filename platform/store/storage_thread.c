@@ -251,8 +251,9 @@ static void drain(struct storage *storage)
 
 /* ---- Backup -------------------------------------------------------------------------------- */
 
-/* Advances the backup in steps while no entry waits. After a failure the next backup is started one
- * hour later. */
+/* Advances the backup in steps while no entry waits and the database is at its path. Copying a
+ * large database takes longer than CHECK_MS, so the path is checked before each step. After a
+ * failure the next backup is started one hour later. */
 static void back_up(struct storage *storage)
 {
     const int64_t now_s = storage_now_ms() / 1000;
@@ -274,7 +275,7 @@ static void back_up(struct storage *storage)
                                          storage_path(storage, STORAGE_BACKUP_SUFFIX, "").text);
     }
     while (code == SQLITE_OK && storage->backup.copy && storage_unwritten(storage) == 0 &&
-           !atomic_load(&storage->stop)) {
+           !atomic_load(&storage->stop) && !storage_has_moved(storage)) {
         code = ledger_backup_step(&storage->backup);
     }
     if (code != SQLITE_OK && code != SQLITE_DONE && code != SQLITE_BUSY) {

@@ -31,7 +31,10 @@ static const char *failing; /* Path of the file whose syncs fail. NULL means no 
 static uint32_t fails_left; /* Number of further syncs that will fail. */
 static const char *moving;  /* Path to which the next sync of the log renames the database. NULL
                                means no renaming. */
-static uint64_t written;    /* Number of bytes written to the file `watched`. */
+/* Path to which the next write to the file `watched` renames the database. NULL means no
+ * renaming. */
+static const char *moving_at_write;
+static uint64_t written; /* Number of bytes written to the file `watched`. */
 static const char *watched;
 
 static int is_of(int fd, const char *path)
@@ -68,7 +71,14 @@ int fdatasync(int fd)
 
 static ssize_t note_write(int fd, const void *bytes, size_t size, off_t at)
 {
-    written += is_of(fd, watched) ? size : 0u;
+    if (is_of(fd, watched)) {
+        written += size;
+        if (moving_at_write) {
+            assert_int_equal(rename(file, moving_at_write), 0);
+            moving_at_write = NULL;
+            written = 0;
+        }
+    }
     return syscall(SYS_pwrite64, fd, bytes, size, at);
 }
 
@@ -103,7 +113,7 @@ static int set_up(void **state)
     storage = (struct storage){ .dir = dir, .without_thread = true };
     device = storage_device(&storage);
     fail_syncs(NULL, 0);
-    moving = NULL;
+    moving = moving_at_write = NULL;
     watched = NULL;
     written = 0;
     return device.ledger.ops->open(device.ledger.self) == HAL_OK ? 0 : -1;
@@ -321,6 +331,30 @@ static void test_a_database_that_moves_during_a_write_acknowledges_nothing(void 
     assert_true(device.ledger.ops->is_healthy(device.ledger.self));
 }
 
+/* Copying a large database may take seconds. The store must check its files meanwhile. */
+static void test_a_database_that_moves_during_a_backup_is_detected_after_one_step(void **state)
+{
+    (void)state;
+    static const uint8_t replay[2u << 20];
+    char away[96], part[160];
+    snprintf(away, sizeof away, "%s/away", dir);
+    snprintf(part, sizeof part, "%s" STORAGE_BACKUP_SUFFIX LEDGER_PART_SUFFIX, file);
+    drop_coins(1, 1);
+    assert_int_equal(ledger_file_put_replay(&storage.file, 1, replay, sizeof replay), SQLITE_OK);
+    storage.backup_due_s = 0;
+    watched = part;
+    moving_at_write = away;
+    storage_work(&storage);
+    assert_null(moving_at_write); /* The write function above has renamed the database. */
+    assert_true(written < sizeof replay / 2u);
+    storage_work(&storage);
+    assert_false(device.ledger.ops->is_healthy(device.ledger.self));
+    assert_int_equal(size_of(part), 0); /* The incomplete copy was removed. */
+    assert_int_equal(rename(away, file), 0);
+    storage_work(&storage);
+    assert_true(device.ledger.ops->is_healthy(device.ledger.self));
+}
+
 static void test_a_withdrawn_name_is_rewritten_after_a_failed_sync_of_the_mirror(void **state)
 {
     (void)state;
@@ -354,6 +388,7 @@ int main(void)
         TEST(test_a_log_locked_by_another_program_at_the_start_is_not_acknowledged),
         TEST(test_an_entry_is_written_only_after_a_suspect_log_is_rewritten),
         TEST(test_a_database_that_moves_during_a_write_acknowledges_nothing),
+        TEST(test_a_database_that_moves_during_a_backup_is_detected_after_one_step),
         TEST(test_a_withdrawn_name_is_rewritten_after_a_failed_sync_of_the_mirror),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
