@@ -11,8 +11,8 @@
  * operations. After one cut in 100 the test continues to play (go_on.h). Finally N lives with
  * failing file calls are played (lives.h).
  *
- * With --deaf no sync reaches the disk, so that the test must find losses. Returns exit status 1 if
- * any check fails. */
+ * With --deaf no sync reaches the disk or fails, so that the test must find losses and too few
+ * failed calls. Returns exit status 1 if any check fails. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,6 +33,10 @@
  * some tenths of a second on a slow card. */
 #define SYNC_US 200u
 #define JOBS_MAX 16u
+/* Number of lives in a full run, and the number of calls of each kind that must fail in such a run.
+ * In a shorter run, at least one call of each kind must fail in every second life. */
+#define LIVES_FULL 600u
+#define FAILED_CALLS_MIN 1000u
 #define PATH_SIZE 300u
 
 struct plan {
@@ -162,6 +166,23 @@ static int print_result(const struct tally *sum, double seconds)
            sum->cuts == 0;
 }
 
+/* Checks that enough calls of each kind have failed. Otherwise the faults were not injected, and a
+ * result without losses would prove nothing. Returns 0. If there were too few calls, prints a line
+ * for each kind and returns 1. */
+static int check_failed_calls(const struct lives_tally *sum)
+{
+    const uint64_t least = sum->lives >= LIVES_FULL ? FAILED_CALLS_MIN : sum->lives / 2u;
+    int has_few = 0;
+    for (uint32_t i = 0; i < FAULT_CALL_COUNT; i++) {
+        if (sum->failed[i] < least) {
+            printf("  too few failed calls: %llu %s, expected at least %llu\n",
+                   (unsigned long long)sum->failed[i], fault_names[i], (unsigned long long)least);
+            has_few = 1;
+        }
+    }
+    return has_few;
+}
+
 static int print_lives(const struct lives_tally *sum, double seconds)
 {
     const struct tally *cuts = &sum->cuts;
@@ -182,8 +203,8 @@ static int print_lives(const struct lives_tally *sum, double seconds)
     if (cuts->first[0]) {
         printf("  the first: %s\n", cuts->first);
     }
-    return cuts->lost || cuts->ghosts || cuts->unopenable || cuts->differing ||
-           cuts->replays_lost || cuts->edits_lost || cuts->cuts == 0;
+    return check_failed_calls(sum) || cuts->lost || cuts->ghosts || cuts->unopenable ||
+           cuts->differing || cuts->replays_lost || cuts->edits_lost || cuts->cuts == 0;
 }
 
 static int run_lives(const struct plan *plan)

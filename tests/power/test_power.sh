@@ -13,6 +13,13 @@ failing_calls_lose_nothing() {
     "$power" --cuts 0 --lives 24 --seed 5
 }
 
+missing_faults_are_found() { # With --deaf 1 no sync fails.
+    "$power" --cuts 0 --lives 4 --seed 5 --deaf 1 >"$work/few"
+    local code=$?
+    cat "$work/few"
+    [ $code = 1 ]
+}
+
 a_liar_is_found() {
     "$power" --cuts 1500 --frames 3600 --seed 7 --deaf 1 >"$work/liar"
     local code=$?
@@ -28,6 +35,8 @@ cp "$work/check.log" "$work/cuts"
 check 'the openings after the cuts log no warning about access' bash -c '! grep "all users had access" "$1"' - "$work/cuts"
 check 'no acknowledged entry is lost when syncs, writes, truncations and renames fail' failing_calls_lose_nothing
 sed -n -e 's/^  calls that failed: \(.*\)/# figure: failed calls: \1/p' -e 's/^  \([0-9]* cuts in these .*\)/# figure: \1/p' "$work/check.log"
+check 'a run in which too few calls fail is an error' missing_faults_are_found
+check 'the error names the calls that did not fail' grep -qx '  too few failed calls: 0 fsync, expected at least 2' "$work/few"
 check 'a card whose syncs have no effect is detected' a_liar_is_found
 check 'the number of lost entries of that card is reported' grep -qE '[:,] [1-9][0-9]* (lost|unopenable)' "$work/liar"
 echo "1..$count"
