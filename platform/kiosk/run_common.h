@@ -1,5 +1,5 @@
-/* run_common.h -- state and functions that the program uses around the frame loop, with or without
- * a screen. */
+/* run_common.h -- opens, starts and ends the parts of the program that surround the frame loop
+ * (recording, replay, species files, pictures), with or without a screen. */
 #pragma once
 
 #include <signal.h>
@@ -83,5 +83,6 @@ bool run_interactive_waits_for_screen(void);
  * screen is connected. */
 bool run_interactive_open(struct run_common *session);
 
-/* Runs frames until the end. Returns an exit code. Reports all errors before it returns. */
+/* Runs frames until the kiosk ends (enum kiosk_end). Returns an exit code. Reports all errors
+ * before it returns. */
 enum exit_code run_interactive_run(struct run_common *session);

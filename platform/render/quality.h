@@ -93,7 +93,8 @@ struct governor {
     uint32_t patience_s;
     /* Number of quality steps below the best quality that the drawing speed requires. */
     uint8_t step;
-    /* Value of `step` when the intended frame duration was two refresh periods last. */
+    /* Value that `step` gets when the intended frame duration becomes two refresh periods. The
+     * value is saved each time before the full frame rate is tried. */
     uint8_t half_step;
     /* Number of quality steps below the best quality that keep the machine cool, at most
      * QUALITY_STEP_MAX. */

@@ -213,9 +213,9 @@ static int probe(struct storage *storage)
         return LEDGER_FILE_MOVED;
     }
     /* Rejects a foreign ledger. Such a ledger comes from another memory card, or from a card that
-     * was absent at program start. A new card or a backup has fewer entries and is accepted. The
-     * file may also contain queued entries, because a write that reported an error may have
-     * succeeded. */
+     * was absent at program start. A database with fewer entries, for example on a new card, is
+     * accepted. A database whose newest entries are still in the queue is accepted too, because a
+     * write that reported an error may have succeeded. */
     const unsigned pushed = atomic_load(&storage->pushed);
     const uint32_t saved_id = atomic_load(&storage->saved_id);
     const uint32_t last_id = storage->file.content.memory.ledger.last_id;

@@ -41,9 +41,9 @@ uint32_t league_arm(struct league *league, const char *name, const struct round_
     return league->arm_count++;
 }
 
-/* Plans all rounds: first a round of each arm with the first seed, then a round of each arm with
- * the second seed, and so on. Because the arms alternate, the remaining time can be estimated from
- * the rounds played so far. */
+/* Plans all rounds: first a round of each arm (way to play) with the first seed, then a round of
+ * each arm with the second seed, and so on. Because the arms alternate, the remaining time can be
+ * estimated from the rounds played so far. */
 static struct round_plan *plan_all(const struct league *league)
 {
     struct round_plan *plans = calloc((size_t)league->seeds * league->arm_count, sizeof *plans);

@@ -29,8 +29,9 @@ enum disk_luck {
     DISK_SOME,    /* After the cut, the disk has each unsynced sector with a probability of 1/2. */
     DISK_FEW,     /* After the cut, the disk has each unsynced sector with a probability of 1/8. */
     DISK_MOST,    /* After the cut, the disk has each unsynced sector with a probability of 7/8. */
-    DISK_DIRTY,   /* As DISK_SOME, but the missing sectors of a file that grew contain old data
-                     instead of zeros. */
+    /* After the cut, the disk has each unsynced sector with a probability of 1/2. The missing
+     * sectors of a file that grew contain old data instead of zeros. */
+    DISK_DIRTY,
     DISK_LUCK_COUNT,
 };
 

@@ -50,8 +50,8 @@ static void draw_album_fish(const struct ui_frame *frame, const struct scene_gro
                             struct ui_box water)
 {
     /* `whole` is the progress through life at which the fish's adult pattern is complete. Normally
-     * this is the second to last key (modelled growth stage). For a fish that was caught at a
-     * younger age, it is the day of the catch. */
+     * the pattern is complete at the second to last key (modelled growth stage). If the fish was
+     * caught at a younger age, the pattern is complete on the day of the catch. */
     const struct species_card *const card = &species_wakin.card;
     const float key = 1.0f / ((float)card->key_count - 1.0f);
     const float whole = fminf(1.0f - key, life_progress(card, fish->caught_age_days));

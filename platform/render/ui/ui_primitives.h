@@ -71,8 +71,8 @@ uint32_t ui_fade(uint32_t colour, float alpha);
  * period of `period_s` seconds. */
 float ui_pulse(float time_s, float period_s);
 
-/* Position (x, y) in pixels on the screen of a point in the tank, and length in pixels of one metre
- * at this point at a right angle to the line of sight. */
+/* Screen position of a point in the tank, in pixels (x, y), and scale at this point (px_per_m): the
+ * length on the screen of one metre that is perpendicular to the line of sight. */
 struct ui_point {
     float x, y, px_per_m;
 };

@@ -19,8 +19,8 @@
 struct ui_memory {
     uint32_t hint_tick; /* Tick of the last change of the hint. */
     uint32_t caught[POI_MAX];
-    /* Tick at which each player's fish number n left the bowl for the counter, at the index n %
-     * UI_FLIGHT_MAX. */
+    /* Tick at which fish number n of each player began to fly from the bowl to the counter (the
+     * displayed number of fish). The index is n % UI_FLIGHT_MAX. */
     uint32_t flight_tick[POI_MAX][UI_FLIGHT_MAX];
     uint32_t tick;         /* Tick of the scene that was shown last. */
     uint32_t pointed_tick; /* Tick of the last change of the selected tags. */

@@ -50,9 +50,9 @@ const char *ledger_file_error(int code)
  * because each sector contains either its old bytes or the bytes that were read.
  *
  * The database file needs no such treatment. SQLite restarts the log only after a checkpoint whose
- * sync succeeded. Until then the log contains every page that the checkpoint copied. A failed
- * checkpoint is not repeated in the same connection. `is_suspect` stays true until the file is
- * closed, opened again and made durable. */
+ * sync succeeded. Until then the log contains every page that the checkpoint copied. After a failed
+ * checkpoint, the same connection makes no further checkpoint: `is_suspect` stays true until the
+ * file is closed, opened again and made durable. */
 
 /* Number of log pages after which the log is copied into the database. With this limit one
  * transaction copies at most half a MiB. */

@@ -140,7 +140,7 @@ static void test_a_present_falls_into_its_bowl_in_half_a_second(void **state)
     core.game.album.fish[0] = (struct album_fish){ .fish = 9, .owner = 0 };
     core.world.tank.fish[9].gait = GAIT_BOWL;
     assert_float_equal(height_of_present(0), 0.20f, 1e-5f);
-    assert_true(height_of_present(30) > 0.1f); /* A fall begins slowly. */
+    assert_true(height_of_present(30) > 0.1f); /* The present falls slowly at first. */
     assert_true(height_of_present(50) < height_of_present(30));
     assert_float_equal(height_of_present(60), 0.0f, 1e-6f);
     assert_float_equal(height_of_present(600), 0.0f, 0.0f);

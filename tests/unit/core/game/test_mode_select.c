@@ -164,7 +164,7 @@ static void test_a_dip_chooses_the_tag_under_it(void **state)
     }
 }
 
-/* A finger that first touches the screen on a tag means that tag. */
+/* If a finger first touches the screen on a tag, this tag must be selected. */
 static void test_a_poi_that_appears_over_a_tag_has_moved_to_it(void **state)
 {
     (void)state;

@@ -227,8 +227,8 @@ static uint32_t play_games(uint32_t game_max)
     return ticks;
 }
 
-/* Without an end between two games, a queue of visitors would make one session of an evening, and
- * the memory for the recording would not hold its last minutes. */
+/* A session must also end between two games. Otherwise a queue of visitors would make the whole
+ * evening one session, and the recording of the last minutes would not fit into the memory. */
 static void test_games_without_attract_mode_end_the_session_after_ten_minutes(void **state)
 {
     (void)state;

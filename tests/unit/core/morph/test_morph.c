@@ -103,9 +103,9 @@ static void test_progress_rises_with_length_and_stops_at_the_keys_ends(void **st
 static void test_lengths_between_keys_are_interpolated_geometrically(void **state)
 {
     (void)state;
-    /* The length of 10 mm is the geometric mean of the larva (5 mm) and the aoko (20 mm), which are
-     * the first two of five keys. The fish is therefore half way to the second key, which is a
-     * progress of 0.125. */
+    /* The length of 10 mm is the geometric mean of the lengths of the larva (5 mm) and the green
+     * fry, aoko (20 mm), which are the first two of five keys. The fish is therefore half way to
+     * the second key, which is a progress of 0.125. */
     assert_float_equal(morph_progress(&wakin->card, 0.010f), 0.125f, 1e-5f);
 }
 

@@ -67,8 +67,8 @@ static void test_an_eye_moves_around_the_head_and_never_through_it(void **state)
     assert_near(normals[BARREL_EYE], v3(-1.0f, 0.0f, 0.0f), 0.02f);
 }
 
-/* Shows that the previous test would detect a fault: on a straight line between its two positions,
- * the eye would pass through the head. */
+/* If the eye moved in a straight line between its two positions, it would pass through the head.
+ * This proves that the test above, which requires a path around the head, can fail. */
 static void test_a_straight_blend_moves_the_eye_through_the_head(void **state)
 {
     (void)state;

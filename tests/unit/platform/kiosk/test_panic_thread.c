@@ -91,7 +91,7 @@ static void *play_sound(void *self)
     setenv("SDL_AUDIODRIVER", "dummy", 1);
     if (device.ops->open(device.self) == HAL_OK) {
         device.ops->play(device.self, &event);
-        sleep(20); /* The audio thread ends the process earlier. */
+        sleep(20); /* The audio thread ends the process before this sleep ends. */
     }
     return self;
 }

@@ -49,7 +49,8 @@ static void fish_are_as_shown(const struct vision *vision)
     assert_int_equal(vision_game(vision).fish_count, scene.fish_count);
     for (uint32_t i = 0; i < scene.fish_count; i++) {
         const struct vision_fish fish = vision_fish(vision, i);
-        if (fish.place != SCENE_ON_POI) { /* A lifted fish thrashes in the picture only. */
+        if (fish.place != SCENE_ON_POI) { /* The thrashing of a lifted fish is added only in the
+                                             picture, so a fish on a poi is not compared. */
             SAME(fish.position_m, scene.fish[i].position_m);
             SAME(fish.bend_rad, scene.fish[i].bend_rad);
         }

@@ -24,7 +24,9 @@ static int setup(void **state)
     core.game.mode = MODE_FESTIVAL;
     core.game.round_s = 60;
     core.game.tick = core.game.phase_tick = 5000;
-    core.lessons.is_first = false; /* Only the tests of the ghost play the first round. */
+    /* The ghost poi appears only in the first round after attract mode. The tests without a ghost
+     * play a later round. */
+    core.lessons.is_first = false;
     core.world.poi[0].link = POI_SOURCE_LIVE;
     core.world.poi[0].position_m = v3(0.0f, 0.06f, 0.0f);
     core.world.poi[1].link = POI_SOURCE_ABSENT;
@@ -242,21 +244,22 @@ test_the_ghost_dips_beside_a_fish_glides_under_it_and_carries_it_to_the_bowl(voi
     begin_first_round();
     assert_true(ghost_after(60)->is_present);
     assert_true(shown.ghost.position_m.y > 0.03f);
-    ghost_after(120); /* 1.5 s: under water, beside the fish, at a slant. */
+    ghost_after(120); /* After 1.5 s the ghost is under water, beside the fish and slanted. */
     assert_true(shown.ghost.position_m.y < fish_m.y);
     assert_in_range((int)(1000.0f * gap_m(shown.ghost.position_m, fish_m)), 45, 75);
     assert_true(shown.ghost.angles.pitch_rad < -0.5f);
     assert_float_equal(shown.ghost.opacity, 1.0f, 0.01f);
-    core.game.phase = PHASE_ROUND; /* The ghost continues in the round, whose clock runs. */
-    ghost_after(132);              /* 2.6 s: under the fish, with level paper. */
+    core.game.phase = PHASE_ROUND; /* The ghost continues after the round has begun. */
+    /* After 2.6 s the ghost is under the fish, and its paper is level. */
+    ghost_after(132);
     assert_true(gap_m(shown.ghost.position_m, fish_m) < 0.01f);
     assert_true(shown.ghost.position_m.y < fish_m.y);
     assert_true(f_abs(shown.ghost.angles.pitch_rad) < 0.1f);
-    ghost_after(96); /* 3.4 s: lifted, with the fish. */
+    ghost_after(96); /* After 3.4 s the ghost has lifted the fish. */
     assert_true(shown.ghost.carries && shown.ghost.position_m.y > 0.03f);
-    ghost_after(150); /* 4.65 s: over the bowl. */
+    ghost_after(150); /* After 4.65 s the ghost is over the bowl. */
     assert_true(gap_m(shown.ghost.position_m, bowl_m) < 0.01f);
-    assert_float_equal(shown.ghost.opacity, 1.0f, 0.01f); /* The fade-out begins now. */
+    assert_float_equal(shown.ghost.opacity, 1.0f, 0.01f); /* The ghost begins to fade out now. */
     assert_in_range((int)(100.0f * ghost_after(24)->opacity), 20, 60);
     assert_false(ghost_after(60)->is_present);
 }
@@ -417,7 +420,8 @@ static void test_the_hint_to_glide_follows_two_dips_without_a_catch_and_ends(voi
     assert_int_equal(hint_after(300), HINT_NONE);
     core.world.poi[0].dips = 2;
     assert_int_equal(hint_after(60), HINT_GLIDE);
-    assert_int_equal(hint_after(620), HINT_NONE); /* The hint does not stay over the fish. */
+    /* The hint must disappear after some seconds, so that it does not hide the fish. */
+    assert_int_equal(hint_after(620), HINT_NONE);
 }
 
 static void test_the_hint_to_lift_needs_a_long_dip_and_a_fish_over_the_paper(void **state)
@@ -478,7 +482,7 @@ static void test_damage_alone_is_no_haste(void **state)
     poi->immersed = 0.3f;
     poi->strain.tension_max_n_m = 0.5f * strength_n_m;
     assert_int_not_equal(hint_after(60), HINT_SLOWLY);
-    poi->immersed = 0.0f; /* A load in the air is no haste either. */
+    poi->immersed = 0.0f; /* A load on the paper in the air must not show HINT_SLOWLY either. */
     poi->strain.tension_max_n_m = 0.7f * strength_n_m;
     assert_int_not_equal(hint_after(60), HINT_SLOWLY);
     poi->immersed = 0.3f;
@@ -572,7 +576,7 @@ static void test_useless_paper_is_named_at_once_in_every_mode(void **state)
     core.game.player[0].out = 1;
     core.game.player[0].torn_tick = core.game.tick;
     assert_int_equal(hint_after(13), HINT_TORN);
-    assert_int_equal(hint_after(620), HINT_NONE); /* The hint does not stay. */
+    assert_int_equal(hint_after(620), HINT_NONE); /* The hint must disappear after some seconds. */
 }
 
 static void test_a_bot_gets_no_hint_about_useless_paper(void **state)

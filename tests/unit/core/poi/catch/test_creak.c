@@ -16,9 +16,11 @@ static struct synth synth;
 
 /* Sound of a part of the motion. */
 struct part {
-    double rms, band_rms; /* Level of all sounds, and in the band; 1 is full scale. */
-    float warning;        /* Largest danger of the paper. */
-    uint32_t creaks;      /* Number of creaks that began. */
+    /* Root mean square of all sounds (`rms`), and of the sounds in the band of the creak
+     * (`band_rms`). 1 is full scale. */
+    double rms, band_rms;
+    float warning;   /* Largest result of sheet_warning() during the motion. */
+    uint32_t creaks; /* Number of creaks that began. */
 };
 
 /* Moves the poi at `speed_m_s` to `to_m`, and then waits for `wait_s`. */

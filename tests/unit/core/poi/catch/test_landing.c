@@ -51,7 +51,7 @@ static void test_a_fish_lands_in_the_bowl_from_every_side(void **state)
     assert_in_range(landed, 15, 16);
 }
 
-/* ---- How a fish counts: landed, poured or walled -------------------------------------------- */
+/* ---- How a fish counts: landed, poured, or pressed against a wall ---------------------------- */
 
 static struct catch_result counted(uint8_t clear_ticks, uint8_t walled)
 {
