@@ -46,7 +46,8 @@ static void test_a_kingyo_poi_has_the_pose_and_time_of_its_report(void **state)
     };
     assert_true(send_own(report, 0));
     const uint64_t report_ns = now_ms * MS;
-    /* The sample is taken later than its report, but its time is that of the report. */
+    /* The sample is returned later than the report arrived, but the time stamp of the sample is the
+     * arrival time of the report. */
     const struct poi_sample sample = sample_after(70);
     assert_int_equal(sample.time_ns, report_ns);
     assert_true(sample.has_wrist);

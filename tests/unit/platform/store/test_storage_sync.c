@@ -298,8 +298,8 @@ static void test_an_entry_is_written_only_after_a_suspect_log_is_rewritten(void 
     assert_int_equal(sqlite3_open(file, &other), SQLITE_OK);
     assert_int_equal(sqlite3_exec(other, "BEGIN IMMEDIATE", NULL, NULL, NULL), SQLITE_OK);
     assert_int_equal(ledger_file_open(&suspect, file, NULL), SQLITE_OK);
-    /* The log was found at the start, so its bytes may not be on the disk. The log stays suspect,
-     * because the lock of the other program prevents that it is written again. */
+    /* The log was found at the start, so its bytes may not be on the disk. `is_suspect` stays true,
+     * because the store cannot write the log again while the other program has a lock. */
     assert_true(suspect.is_suspect);
     assert_int_equal(sqlite3_exec(other, "ROLLBACK", NULL, NULL, NULL), SQLITE_OK);
     watched = wal;

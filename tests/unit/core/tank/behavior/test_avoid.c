@@ -72,7 +72,7 @@ static void test_the_second_fish_of_a_pair_turns_to_the_side_of_the_first(void *
     uint32_t left = 0;
     for (uint32_t edge = CORE_TICK_HZ; edge < 1000u * CORE_TICK_HZ; edge += CORE_TICK_HZ) {
         /* One fish starts to avoid in the last tick of a second. The other fish starts in the next
-         * second or later, and must turn to the side that the first one has drawn. */
+         * second or later, and must turn to the side that the first fish has selected at random. */
         const struct avoid_pair first = avoid_meet(&a, &b, 0.01f, pond_params(), 1, edge - 1u);
         const struct avoid_party early = giving_way(a, &first.a);
         const struct avoid_pair then = avoid_meet(&early, &b, 0.01f, pond_params(), 1, edge);
