@@ -9,10 +9,14 @@ set -eu
 cd "$(dirname "$0")/../.."
 arch=${1:?usage: cross.sh ARCH TARGET} target=${2:?usage: cross.sh ARCH TARGET}
 suite=trixie
+. board/refuse_shared.sh
+mkdir -p "${BUILD:-build}/cross"
+refuse_shared cross "${BUILD:-build}/cross"
 board/deb/emulate.sh "$arch"
 triplet=aarch64-linux-gnu
 folder=${BUILD:-build}/cross/$arch
 mkdir -p "$folder"
+refuse_shared cross "$folder"
 folder=$(cd "$folder" && pwd)
 root=$folder/root
 

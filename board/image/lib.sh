@@ -16,19 +16,8 @@ kernel_root=$cache/kernel
 days_max=7 # Maximum age of a download in days, because mirrors remove old packages.
 made_s=$(git -C "$top" log -1 --format=%ct 2>/dev/null || date +%s)
 
-# Refuses folders that other users can write. Root writes files with predictable names there, and a link in place of such
-# a file would let the other user overwrite any file.
-refuse_shared() { # FOLDER...
-    local folder owner
-    for folder; do
-        owner=$(stat -c %u "$folder")
-        if [ "$owner" -ne 0 ] && [ "$owner" -ne "${SUDO_UID:-0}" ] || [ -n "$(find "$folder" -maxdepth 0 -perm /002)" ]; then
-            echo "image: $folder: other users may write there; BUILD= names another folder" >&2
-            return 1
-        fi
-    done
-}
-refuse_shared "$BUILD/image" "$IMAGE" "$cache"
+. "$top/board/refuse_shared.sh"
+refuse_shared image "$BUILD/image" "$IMAGE" "$cache"
 
 step() { printf '[%4d s] image: %s\n' "$SECONDS" "$*"; }
 

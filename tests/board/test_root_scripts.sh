@@ -114,6 +114,19 @@ if [ "$(id -u)" -eq 0 ]; then
 else
     skip 'the image is not made in a folder of another user' 'no root'
 fi
+# ---- Packages for another processor: root makes a root file system in a folder of BUILD
+crosses() { # CODE: ARCH=none has no emulator, so that a folder that is not refused gives exit code 2.
+    BUILD=$work/build board/deb/cross.sh none deb >"$work/out" 2>&1
+    local code=$?
+    cat "$work/out"
+    [ $code -eq "$1" ]
+}
+check 'packages for another processor are made in a private folder' crosses 2
+chmod 1777 "$work/build/cross"
+check 'the packages are not made in a folder that others may write' crosses 1
+check 'the error names that folder' grep -q 'build/cross: other users may write there' "$work/out"
+rm -rf "$work/build/cross" && ln -s "$precious" "$work/build/cross" && chmod 1777 "$precious"
+check 'a link to such a folder is refused too' crosses 1
 own_names() { ! grep -nE '[^-a-z]/tmp/|[^-a-z]/var/tmp/' board/image/*.sh board/setup.sh board/deb/*.sh; }
 check 'no script writes a fixed name into /tmp' own_names
 echo "1..$count"
