@@ -57,7 +57,18 @@ fuzz_is_still() { fuzz_builds && fuzz_builds && [ "$compiled" -eq 0 ]; }
 clang_changes() { echo 'clang version 2' >"$work/version" && fuzz_builds && [ "$compiled" -eq 1 ] && [ "$(grep -c '^  CC ' "$work/out")" -eq 1 ]; }
 fuzz_flags_change() { fuzz_builds FUZZ_CFLAGS="-O1 -I. -I$tree/generated" && [ "$compiled" -eq 1 ]; }
 
-echo 1..10
+# The library of the kiosk faults is compiled without objects, in one command.
+library_builds() { # WORDS...: Counts the commands that compile the library.
+    make BUILD="$tree" CC="$work/bin/hidden-gcc" "$tree/tests/power/preload.so" "$@" >"$work/out" 2>&1 || { cat "$work/out"; return 1; }
+    cat "$work/out"
+    compiled=$(grep -c '^  LINK  .*preload' "$work/out") || true
+}
+library_follows_flags() {
+    library_builds && [ "$compiled" -eq 1 ] && library_builds && [ "$compiled" -eq 0 ] &&
+        library_builds OPT=-O1 && [ "$compiled" -eq 1 ]
+}
+
+echo 1..11
 if [ -d /usr/include/assimp ]; then
     check 'a build without assimp compiles no object that reads its headers' starts_without
     check 'a second build compiles nothing' is_still
@@ -70,6 +81,7 @@ else
 fi
 check 'other compiler flags recompile everything' flags_change
 check 'another libgpiod recompiles the shell with its own sources' gpiod_changes
+check 'other compiler flags recompile the library of the kiosk faults' library_follows_flags
 if command -v clang >/dev/null; then
     check 'a second build compiles no fuzz target' fuzz_is_still
     check 'another clang recompiles the fuzz targets alone' clang_changes

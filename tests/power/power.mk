@@ -28,7 +28,7 @@ test-faults:
 
 # The library is self-contained, because it must share no code with the kiosk that loads it.
 PRELOAD_SRC := $(addprefix tests/power/,preload.c kiosk_tape.c tape.c fault.c) core/base/rng.c
-$(PRELOAD): $(PRELOAD_SRC) $(wildcard tests/power/*.h)
+$(PRELOAD): $(PRELOAD_SRC) $(wildcard tests/power/*.h) $(FOUND)
 	@mkdir -p $(@D)
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(HOST_CFLAGS) -fPIC -shared -o $@ $(PRELOAD_SRC) -lpthread
