@@ -30,6 +30,10 @@
 /* Suffix of the replacement while it is incomplete. */
 #define PART_SUFFIX STORAGE_NEW_SUFFIX LEDGER_PART_SUFFIX
 
+/* Limit of the numbers of quarantined files and markers. Kingyo writes no file with this or a larger
+ * number, so that the number never wraps. Such a file is not counted. */
+#define NUMBER_MAX 1000000000u
+
 static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
 #define SUFFIX_COUNT (sizeof suffixes / sizeof suffixes[0])
 
@@ -51,8 +55,8 @@ static unsigned next_number(const struct storage *storage)
             const char *at = strncmp(entry->d_name, STORAGE_FILE, sizeof STORAGE_FILE - 1u) == 0
                                  ? strstr(entry->d_name, kinds[i])
                                  : NULL;
-            const unsigned number = at ? (unsigned)strtoul(at + strlen(kinds[i]), NULL, 10) : 0u;
-            newest = number > newest ? number : newest;
+            const unsigned long number = at ? strtoul(at + strlen(kinds[i]), NULL, 10) : 0u;
+            newest = number > newest && number < NUMBER_MAX ? (unsigned)number : newest;
         }
     }
     if (folder) {

@@ -239,6 +239,29 @@ static void test_a_second_damaged_file_does_not_replace_the_first(void **state)
     assert_int_equal(access(second, F_OK), 0);
 }
 
+/* A number that does not fit 32 bits after it is increased must not wrap to a number in use. */
+static void test_a_huge_number_in_a_file_name_leads_to_no_overwritten_file(void **state)
+{
+    struct fixture *fixture = *state;
+    static const char *const numbers[] = { "4294967295", "18446744073709551615", "0" };
+    char path[160];
+    struct stat info;
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        snprintf(path, sizeof path, "%s" STORAGE_QUARANTINE_SUFFIX "%s", fixture->file, numbers[i]);
+        write_file(path, "kept", 4);
+    }
+    write_file(fixture->file, "this was never a database", 25);
+    assert_int_equal(open_store(fixture), HAL_OK);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        snprintf(path, sizeof path, "%s" STORAGE_QUARANTINE_SUFFIX "%s", fixture->file, numbers[i]);
+        assert_int_equal(stat(path, &info), 0);
+        assert_int_equal(info.st_size, 4);
+    }
+    snprintf(path, sizeof path, "%s" STORAGE_QUARANTINE_SUFFIX "1", fixture->file);
+    assert_int_equal(stat(path, &info), 0);
+    assert_int_equal(info.st_size, 25);
+}
+
 static void test_a_file_of_a_later_version_is_reported_and_not_changed(void **state)
 {
     struct fixture *fixture = *state;
@@ -267,6 +290,7 @@ int main(void)
         IN_A_FOLDER(test_damage_at_run_time_is_recovered_as_at_the_start),
         IN_A_FOLDER(test_a_store_out_of_memory_reports_it_and_retries),
         IN_A_FOLDER(test_a_second_damaged_file_does_not_replace_the_first),
+        IN_A_FOLDER(test_a_huge_number_in_a_file_name_leads_to_no_overwritten_file),
         IN_A_FOLDER(test_a_file_of_a_later_version_is_reported_and_not_changed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
