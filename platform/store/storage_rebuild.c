@@ -30,8 +30,8 @@
 /* Suffix of the replacement while it is incomplete. */
 #define PART_SUFFIX STORAGE_NEW_SUFFIX LEDGER_PART_SUFFIX
 
-/* Limit of the numbers of quarantined files and markers. Kingyo writes no file with this or a larger
- * number, so that the number never wraps. Such a file is not counted. */
+/* Limit of the numbers of quarantined files and markers. Kingyo writes no file with this or a
+ * larger number, so that the number never wraps. Such a file is not counted. */
 #define NUMBER_MAX 1000000000u
 
 static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
