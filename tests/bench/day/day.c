@@ -1,6 +1,7 @@
-/* day.c -- the queue of a simulated day. A round begins when at least one person wants to play.
- * Persons who play again keep their bowl, and the first persons of the queue take the free bowls.
- * All persons of a round play at the easiest level that one of them chose. */
+/* day.c -- the queue of a simulated day. A round begins when at least one person wants to play, and
+ * the first persons of the queue take the bowls. A person who plays again goes to the end of the
+ * queue, as at a stall with a queue. All persons of a round play at the easiest level that one of
+ * them chose. */
 #include "tests/bench/day/day.h"
 
 #include <string.h>
@@ -17,6 +18,13 @@ static void count_visitor(struct day *day, struct visitor *visitor, uint8_t fate
 
 /* ---- Queue ----------------------------------------------------------------------------------- */
 
+static void append_to_queue(struct day *day, uint32_t index, double now_s)
+{
+    CORE_ASSERT(day->queue_length < DAY_VISITORS_MAX);
+    day->visitors[index].joined_s = now_s;
+    day->queue[day->queue_length++] = index;
+}
+
 /* Adds the visitors who have arrived by now to the queue, unless the price is too high for them. */
 static void join_queue(struct day *day)
 {
@@ -25,21 +33,23 @@ static void join_queue(struct day *day)
         if (visitor->price_max < day->options->price) {
             count_visitor(day, visitor, VISITOR_DECLINED);
         } else {
-            day->queue[day->queue_length++] = day->next;
+            append_to_queue(day, day->next, visitor->arrival_s);
         }
         day->next++;
     }
 }
 
-/* Removes the visitors whose patience has ended from the queue. */
+/* Removes the visitors whose patience has ended from the queue. A visitor who waited for another
+ * play counts as one who played. */
 static void leave_queue(struct day *day)
 {
     uint32_t kept = 0;
     for (uint32_t i = 0; i < day->queue_length; i++) {
         struct visitor *visitor = &day->visitors[day->queue[i]];
-        if (day->now_s - visitor->arrival_s > visitor->patience_s) {
-            visitor->wait_s = visitor->patience_s;
-            count_visitor(day, visitor, VISITOR_LEFT);
+        const bool has_played = visitor->plays > 0;
+        if (day->now_s - visitor->joined_s > visitor->patience_s) {
+            visitor->wait_s = has_played ? visitor->wait_s : visitor->patience_s;
+            count_visitor(day, visitor, has_played ? VISITOR_PLAYED : VISITOR_LEFT);
         } else {
             day->queue[kept++] = day->queue[i];
         }
@@ -47,30 +57,33 @@ static void leave_queue(struct day *day)
     day->queue_length = kept;
 }
 
-/* Gives the free bowls to the first visitors of the queue. The member `queue_longest` does not
- * count a visitor who has just arrived at an empty queue, because this visitor does not wait. */
+/* Gives the bowls to the first visitors of the queue. The member `queue_longest` does not count a
+ * visitor who has just joined an empty queue, because this visitor does not wait. */
 static void fill_bowls(struct day *day)
 {
     const bool is_queue =
-        day->queue_length > 0 && day->visitors[day->queue[0]].arrival_s < day->now_s;
+        day->queue_length > 0 && day->visitors[day->queue[0]].joined_s < day->now_s;
     if (is_queue && day->queue_length > day->queue_longest) {
         day->queue_longest = day->queue_length;
     }
-    const uint32_t room = day->options->bowls - day->playing_count;
-    const uint32_t taken = day->queue_length < room ? day->queue_length : room;
+    const uint32_t bowls = day->options->bowls;
+    const uint32_t taken = day->queue_length < bowls ? day->queue_length : bowls;
     for (uint32_t i = 0; i < taken; i++) {
         struct visitor *visitor = &day->visitors[day->queue[i]];
-        visitor->wait_s = day->now_s - visitor->arrival_s;
-        day->playing[day->playing_count++] = day->queue[i];
+        if (visitor->plays == 0) {
+            visitor->wait_s = day->now_s - visitor->arrival_s;
+        }
+        day->playing[i] = day->queue[i];
     }
+    day->playing_count = taken;
     day->queue_length -= taken;
     memmove(day->queue, day->queue + taken, day->queue_length * sizeof day->queue[0]);
 }
 
 /* ---- Rounds ---------------------------------------------------------------------------------- */
 
-/* Plays one round with the persons at the bowls. Afterwards only the persons who play again are at
- * the bowls. */
+/* Plays one round with the persons at the bowls. Afterwards the persons who play again stand in the
+ * queue behind the visitors who arrived during the round. */
 static bool play_round(struct day *day)
 {
     const struct visitor *group[POI_MAX];
@@ -87,19 +100,19 @@ static bool play_round(struct day *day)
     day->end_s = day->now_s;
     day->busy_s += round.took_s;
     day->rounds[level]++;
-    uint32_t stays = 0;
+    join_queue(day);
     for (uint32_t i = 0; i < day->playing_count; i++) {
         struct visitor *visitor = &day->visitors[day->playing[i]];
         visitor->plays++;
         visitor->caught += round.caught[i];
         visitor->caught_last = round.caught[i];
         if (visitor_plays_again(visitor, day->options->price)) {
-            day->playing[stays++] = day->playing[i];
+            append_to_queue(day, day->playing[i], day->now_s);
         } else {
             count_visitor(day, visitor, VISITOR_PLAYED);
         }
     }
-    day->playing_count = stays;
+    day->playing_count = 0;
     return true;
 }
 

@@ -43,11 +43,12 @@ struct visitor {
     uint8_t kind;  /* Index in visitor_kinds. */
     uint8_t level; /* Level that the visitor chooses (enum level). */
     double arrival_s;
-    double patience_s;  /* Waiting time in the queue after which the visitor leaves. */
+    double patience_s;  /* Waiting time for one play after which the visitor leaves the queue. */
     uint32_t price_max; /* Highest price that the visitor pays, in units. */
 
-    uint8_t fate; /* enum visitor_fate */
-    double wait_s;
+    uint8_t fate;    /* enum visitor_fate */
+    double joined_s; /* Time at which the visitor last joined the queue. */
+    double wait_s;   /* Waiting time before the first play. */
     /* Numbers of plays, of fish caught in all plays, and of fish caught in the last play. */
     uint32_t plays, caught, caught_last;
 };

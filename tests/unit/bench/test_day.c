@@ -38,6 +38,10 @@ static bool fake_play(void *self, const struct visitor *const *group, uint32_t c
     for (uint32_t i = 0; i < count; i++) {
         /* Nobody may play at a harder level than the chosen one. */
         assert_true(group[i]->level <= level);
+        /* Nobody who still waits joined the queue earlier. */
+        for (uint32_t k = 0; k < day.queue_length; k++) {
+            assert_true(day.visitors[day.queue[k]].joined_s >= group[i]->joined_s);
+        }
         out->caught[i] = kiosk->caught;
     }
     out->took_s = kiosk->round_s;
@@ -184,6 +188,21 @@ static void test_every_visitor_plays_leaves_or_declines(void **state)
     }
 }
 
+static void test_person_who_plays_again_waits_at_the_end_of_the_queue(void **state)
+{
+    (void)state;
+    play_day(&usual, 100.0, 1); /* fake_play() checks the order of the queue. */
+    uint32_t again = 0;
+    for (uint32_t i = 0; i < VISITORS; i++) {
+        const struct visitor *visitor = &day.visitors[i];
+        if (visitor->plays > 1u) {
+            again++;
+            assert_true(visitor->joined_s >= visitor->arrival_s + visitor->wait_s + fake.round_s);
+        }
+    }
+    assert_true(again > 0);
+}
+
 static void test_more_bowls_shorten_the_queue(void **state)
 {
     (void)state;
@@ -304,6 +323,7 @@ int main(void)
         cmocka_unit_test(test_default_level_is_that_of_visitors_who_choose_none),
         cmocka_unit_test(test_second_plays_depend_on_catch_and_price),
         cmocka_unit_test(test_every_visitor_plays_leaves_or_declines),
+        cmocka_unit_test(test_person_who_plays_again_waits_at_the_end_of_the_queue),
         cmocka_unit_test(test_more_bowls_shorten_the_queue),
         cmocka_unit_test(test_group_plays_the_easiest_level_of_its_persons),
         cmocka_unit_test(test_failed_kiosk_ends_the_day),
