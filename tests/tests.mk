@@ -160,11 +160,11 @@ lint:
 	+@$(MAKE) --no-print-directory -j$(JOBS) build
 	@board/docs/architecture.py --check $(BUILD) $(ARCHITECTURE) && echo '  ok    architecture'
 
-## test/tidy: Check the C code with clang-tidy (minutes); ONLY=FILE... names files
+## test/tidy: Check the C code with clang-tidy (minutes); ONLY=FILE... names files; PART=1/4
 tidy:
 	@board/setup.sh dev test
 	+@$(MAKE) --no-print-directory -j$(JOBS) generated compile_commands.json
-	@tests/boundaries/tidy.sh $(TIDY) $(ONLY)
+	@PART='$(PART)' tests/boundaries/tidy.sh $(TIDY) $(ONLY)
 
 ## test/format: Rewrite all C files in the form of .clang-format
 format:
