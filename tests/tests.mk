@@ -160,7 +160,7 @@ lint:
 	+@$(MAKE) --no-print-directory -j$(JOBS) build
 	@board/docs/architecture.py --check $(BUILD) $(ARCHITECTURE) && echo '  ok    architecture'
 
-## test/tidy: Check the C code with clang-tidy (minutes); ONLY=FILE... names files; PART=1/4
+## test/tidy: Check the C code with clang-tidy (minutes); ONLY=FILE..., PART=1/4
 tidy:
 	@board/setup.sh dev test
 	+@$(MAKE) --no-print-directory -j$(JOBS) generated compile_commands.json
