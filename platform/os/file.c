@@ -133,10 +133,18 @@ FILE *file_open(const char *path, uint32_t size_max)
     return file;
 }
 
-bool file_is_other(const char *path)
+int file_type_error(const char *path)
 {
     struct stat about;
-    return lstat(path, &about) == 0 && !S_ISREG(about.st_mode);
+    return lstat(path, &about) != 0 || S_ISREG(about.st_mode) ? 0
+           : S_ISLNK(about.st_mode)                           ? ELOOP
+           : S_ISDIR(about.st_mode)                           ? EISDIR
+                                                              : ENOTSUP;
+}
+
+bool file_is_other(const char *path)
+{
+    return file_type_error(path) != 0;
 }
 
 bool file_has_suffix(const char *name, const char *suffix)

@@ -46,8 +46,12 @@ int file_user_handle(const char *path, int flags, mode_t mode);
  * links, otherwise as file_handle() does. */
 int file_give_at(int folder, const char *path, uid_t owner, gid_t group, mode_t mode);
 
-/* Returns true if `path` is not a regular file, so that file_handle() rejects it. Returns false for
- * a regular file, and for a path that does not exist or cannot be examined. */
+/* Returns the error with which file_handle() rejects `path`: ELOOP for a symbolic link, EISDIR for
+ * a folder, and ENOTSUP for another file that is not regular. Returns 0 for a regular file, and for
+ * a path that does not exist or cannot be examined. */
+int file_type_error(const char *path);
+
+/* Returns true if file_type_error() returns an error. */
 bool file_is_other(const char *path);
 
 /* Returns true if the file name `name` ends with `suffix`, for example ".obj". */

@@ -39,6 +39,19 @@ refuses_a_trigger() {
         ends 65 "holds the trigger 't', which is not Kingyo's; the kiosk replaces" audits --data "$work/trapped" &&
         ends 65 "holds the trigger 't', which is not Kingyo's; the kiosk replaces" scores --data "$work/trapped"
 }
+# A link or a FIFO in place of the database: the kiosk refuses it too, and the message gives the reason.
+names_the_type() {
+    local command
+    mkdir -p "$work/type"
+    for command in audits scores "backup $work/type/copy.db"; do
+        rm -f "$work/type/kingyo.db" && ln -s "../data/kingyo.db" "$work/type/kingyo.db"
+        # shellcheck disable=SC2086  # several arguments
+        ends 74 'type/kingyo.db: is a symbolic link$' $command --data "$work/type" || return 1
+        rm "$work/type/kingyo.db" && mkfifo "$work/type/kingyo.db"
+        # shellcheck disable=SC2086  # several arguments
+        ends 74 'type/kingyo.db: is not a regular file$' $command --data "$work/type" || return 1
+    done
+}
 # The message gives each object's type and name, with escape sequences made visible.
 names_what_is_not_ours() {
     local sql content
@@ -212,6 +225,7 @@ check 'scores --mode and --period select one leaderboard' query \
 check 'scores --level selects the leaderboards of a level' query \
     "json_array_length(j) > 0 and json_extract(j, '\$[0].level') = 'master'" scores --level master
 check 'a level without scores has empty leaderboards' query "json_array_length(j) = 0" scores --level easy
+check 'a link or a FIFO in place of the database is named' names_the_type
 check 'scores --level refuses an unknown level' ends 2 'master, normal or easy' scores --level hard
 check 'audits counts the rounds at each level' query \
     "json_extract(j, '\$.audits.\"rounds-master\"') + json_extract(j, '\$.audits.\"rounds-easy\"') = json_extract(j, '\$.audits.rounds')" audits

@@ -173,7 +173,7 @@ check 'a database of an earlier version is fine' finds fine database kingyo.db '
 # The kiosk would rename each of these files, so `kingyoctl doctor` must report each as damaged.
 foreign_is_wrong() { # VERSION SQL
     cp "tests/unit/platform/store/files/version-$1.db" "$root/data/kingyo.db" && sqlite3 "$root/data/kingyo.db" "$2" &&
-        finds wrong database kingyo.db damaged 'restart the kiosk'
+        finds wrong database kingyo.db "damaged: holds the trigger 't', which is not Kingyo's" 'restart the kiosk'
 }
 for version in 1 2 3 4 5 6; do
     check "a database of version $version with a trigger is wrong" foreign_is_wrong $version \
@@ -192,6 +192,17 @@ rm "$root"/data/kingyo.db.*
 head -c 5000 /dev/urandom >"$root/data/kingyo.db"
 check 'a damaged database is wrong' finds wrong database kingyo.db damaged 'restart the kiosk'
 rm "$root/data/kingyo.db"
+# The kiosk follows no link, and chown would change the file to which the link leads.
+for target in nowhere other.db; do
+    ln -s "$target" "$root/data/kingyo.db"
+    check "a link to $target in place of the database is wrong" finds wrong database kingyo.db 'is a symbolic link' 'move the database itself'
+    rm "$root/data/kingyo.db"
+    cp tests/unit/platform/store/files/version-6.db "$root/data/other.db"
+done
+mkfifo "$root/data/kingyo.db" "$root/data/kingyo.db.backup"
+check 'a FIFO in place of the database is wrong' finds wrong database kingyo.db 'is not a regular file' 'restart the kiosk'
+check 'a FIFO in place of the backup is reported' finds look backup kingyo.db.backup 'is not a regular file' 'restart the kiosk'
+rm "$root/data/kingyo.db" "$root/data/kingyo.db.backup" "$root/data/other.db"
 put data/pois/054c-0ce6-A.poi 'something else'
 check 'an unreadable controller mapping is reported with its line' finds look learned 054c-0ce6-A.poi 'line 1: ' 'remove the file, and learn the controller again'
 rm "$root/data/pois/054c-0ce6-A.poi"

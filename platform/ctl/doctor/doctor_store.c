@@ -81,6 +81,24 @@ static int64_t count_of(struct ledger_file *file, const char *sql)
     return sql_number(file->db, sql, &count) == SQLITE_OK ? count : 0;
 }
 
+/* States why the database is damaged. Names a trigger, a table or another object that is not
+ * Kingyo's, because the operator cannot guess it from SQLite's error text. */
+static void report_damage(struct doctor_finding *finding, int code, const char *path)
+{
+    struct ledger_foreign foreign;
+    sqlite3 *db = NULL;
+    if (sql_open(path, SQLITE_OPEN_READONLY, NULL, &db) == SQLITE_OK &&
+        ledger_schema_foreign(db, &foreign)) {
+        doctor_state(finding, "damaged: holds the %s '%.60s', %s", foreign.type, foreign.name,
+                     ledger_foreign_reason(&foreign));
+    } else {
+        doctor_state(finding, "damaged: %.200s", ledger_file_error(code));
+    }
+    sqlite3_close(db);
+    doctor_todo(finding, "restart the kiosk: it renames the file and continues from the "
+                         "backup and the entries that can still be read");
+}
+
 static void report_open_error(struct doctor *doctor, struct doctor_finding *finding, int code,
                               const char *path)
 {
@@ -99,9 +117,7 @@ static void report_open_error(struct doctor *doctor, struct doctor_finding *find
                      "a later version of Kingyo wrote the database: this version saves nothing");
         doctor_todo(finding, "install the later version again, or replace the file with a backup");
     } else if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
-        doctor_state(finding, "damaged: %.200s", ledger_file_error(code));
-        doctor_todo(finding, "restart the kiosk: it renames the file and continues from the "
-                             "backup and the entries that can still be read");
+        report_damage(finding, code, path);
     } else {
         doctor_state(finding, "cannot be opened: %.200s", ledger_file_error(code));
         doctor_todo(finding, "sudo chown %s '%s'", doctor->user.name, path);
@@ -116,8 +132,19 @@ static void check_database(struct doctor *doctor, const char *folder)
     CORE_ASSERT(folder[0]);
     snprintf(path, sizeof path, "%s/%s", folder, STORAGE_FILE);
     struct doctor_finding *finding = doctor_find(doctor, "database", DOCTOR_FINE, "%s", path);
-    if (stat(path, &about)) {
+    if (lstat(path, &about)) {
         doctor_state(finding, "does not exist yet: the kiosk has saved nothing");
+        return;
+    }
+    const int error = file_type_error(path);
+    if (error) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "%s%s", file_error(error),
+                     error == ELOOP ? ": the kiosk does not follow it, and saves nothing" : "");
+        doctor_todo(finding, "%s",
+                    error == ELOOP
+                        ? "move the database itself to this path; --data names another folder"
+                        : "restart the kiosk: it renames the object and continues from the backup");
         return;
     }
     int code = ledger_file_inspect(&file, path);
@@ -141,9 +168,16 @@ static void check_backup(struct doctor *doctor, const char *folder)
     char path[PATH_ROOM];
     struct stat about;
     snprintf(path, sizeof path, "%s/%s", folder, STORAGE_FILE STORAGE_BACKUP_SUFFIX);
-    if (stat(path, &about)) {
+    if (lstat(path, &about)) {
         return; /* A missing backup gives no finding, because a kiosk that has never run has no
                    backup. */
+    }
+    const int error = file_type_error(path);
+    if (error) {
+        struct doctor_finding *other = doctor_find(doctor, "backup", DOCTOR_LOOK, "%s", path);
+        doctor_state(other, "%s", file_error(error));
+        doctor_todo(other, "restart the kiosk: it renames the object and makes a new backup");
+        return;
     }
     const int64_t hours = ((int64_t)time(NULL) - about.st_mtime) / 3600;
     struct doctor_finding *finding =

@@ -30,7 +30,7 @@ const struct option_table books_options = OPTION_TABLE(options, NULL);
 static int look_for(const char *path)
 {
     struct stat about;
-    return stat(path, &about) ? errno : 0;
+    return lstat(path, &about) ? errno : 0;
 }
 
 void books_path(const struct books_words *words, char path[BOOKS_PATH_SIZE])
@@ -84,10 +84,7 @@ bool books_report_foreign(const char *command, const char *path, const char *adv
     sqlite3_close(db);
     if (has_foreign) {
         print_error("kingyoctl %s: %s: holds the %s '%s', %s; %s", command, path, foreign.type,
-                    foreign.name,
-                    foreign.is_changed ? "whose definition is not Kingyo's"
-                                       : "which is not Kingyo's",
-                    advice);
+                    foreign.name, ledger_foreign_reason(&foreign), advice);
     }
     return has_foreign;
 }
@@ -104,6 +101,10 @@ enum exit_code books_open(const char *command, const struct books_words *words,
                           error == ENOENT   ? "does not exist; name the data folder with --data"
                           : error == EACCES ? "you have no access; use sudo"
                                             : strerror(error));
+    }
+    const int type_error = file_type_error(path);
+    if (type_error) {
+        return print_fail(EXIT_IO, "kingyoctl %s: %s: %s", command, path, file_error(type_error));
     }
     const int code = ledger_file_inspect(out, path);
     if (code == SQLITE_OK) {

@@ -122,6 +122,9 @@ struct ledger_foreign {
  * or if the schema cannot be read. */
 bool ledger_schema_foreign(struct sqlite3 *db, struct ledger_foreign *out);
 
+/* Returns the end of a message "holds the TYPE 'NAME', .." about a foreign schema object. */
+const char *ledger_foreign_reason(const struct ledger_foreign *foreign);
+
 /* Writes the whole write-ahead log again, and syncs the log and its folder. All data that are read
  * from the log afterwards are on disk. Returns SQLITE_BUSY while another program holds the write
  * lock. After an error `is_suspect` stays true. Defined in ledger_file.c. */

@@ -133,6 +133,11 @@ bool ledger_schema_foreign(sqlite3 *db, struct ledger_foreign *out)
     return has_found;
 }
 
+const char *ledger_foreign_reason(const struct ledger_foreign *foreign)
+{
+    return foreign->is_changed ? "whose definition is not Kingyo's" : "which is not Kingyo's";
+}
+
 /* ---- Migration from versions 1 and 2, in which rounds become entries ----------------------- */
 
 /* Writes a ledger entry for each round of the old file, as if the current version had recorded the
