@@ -49,10 +49,13 @@ void lesson_ghost_tick(struct lessons *lessons, const struct game *game, const s
     CORE_ASSERT(player < POI_MAX && ghost->state <= GHOST_IS_OVER);
     /* Before the round, the dips of the poi were made by the bot, and in READY the game holds the
      * poi above the water. A dip of the player is therefore detected by the pose of the
-     * controller. */
+     * controller. The dip that begins the game does not count, because the pose must rise above
+     * the water in READY before it sinks. */
+    const bool begins = game->phase == PHASE_READY && game->tick == game->phase_tick;
+    const bool was_raised = ghost->is_raised && !begins;
     const bool dips = (game->phase == PHASE_ROUND && (poi->immersed > 0.0f || poi->dips > 0)) ||
-                      (ghost->live_y_m >= RULES_DIP_Y_M && y_m < RULES_DIP_Y_M && y_m > -1.0f);
-    ghost->live_y_m = y_m;
+                      (was_raised && y_m < RULES_DIP_Y_M && y_m > -1.0f);
+    ghost->is_raised = y_m >= 0.0f || (was_raised && y_m >= RULES_DIP_Y_M);
     if (ghost->state == GHOST_RUNS) {
         ghost->ticks += game->paused ? 0u : 1u;
         follow_fish(ghost, &world->tank);

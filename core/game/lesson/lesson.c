@@ -46,7 +46,7 @@ void lesson_init(struct lessons *lessons)
 {
     lessons->is_first = true;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        lessons->player[i].ghost = (struct ghost){ .fish = LESSON_NO_FISH, .live_y_m = -1.0f };
+        lessons->player[i].ghost = (struct ghost){ .fish = LESSON_NO_FISH };
         reset_lesson(lessons, i);
     }
 }

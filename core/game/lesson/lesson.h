@@ -38,8 +38,9 @@ struct ghost {
     /* Position of the fish `fish`, from which the ghost's path is computed. The position follows
      * the fish until the ghost has moved under the fish. */
     vec3 fish_m;
-    /* Height of the pose of the player's controller in the last tick, to detect a dip in READY. */
-    float live_y_m;
+    /* True if the pose of the player's controller was above the water and has not sunk to
+     * RULES_DIP_Y_M since. Used to detect a dip in READY. */
+    bool is_raised;
 };
 
 /* Lesson of one player. */

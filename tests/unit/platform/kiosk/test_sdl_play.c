@@ -245,7 +245,7 @@ static void say_nothing(void)
 static float start_to_dip_s(uint32_t tag, float look_s)
 {
     const struct kiosk_config config = { .core = { .seed = 1,
-                                                   .fish_count = 40,
+                                                   .fish_count = 300,
                                                    .modes = (1u << CHOICE_COUNT) - 1u,
                                                    .level = LEVEL_NORMAL } };
     const struct core *core = &player.kiosk.core;
@@ -263,6 +263,8 @@ static float start_to_dip_s(uint32_t tag, float look_s)
     click_mouse();
     assert_int_equal(core->game.phase, PHASE_READY);
     glide_mouse(640.0f, 330.0f);
+    /* The click on the tag is a dip, but not the dip that ends the ghost. */
+    assert_int_equal(core->lessons.player[0].ghost.state, GHOST_RUNS);
     while (core->world.poi[0].immersed <= 0.0f || core->game.phase != PHASE_ROUND) {
         click_mouse();
         assert_true(core->game.tick - start < 30u * CORE_TICK_HZ);

@@ -292,6 +292,28 @@ static void test_a_dip_in_ready_which_moves_no_poi_ends_the_ghost(void **state)
     assert_false(ghost_after(1)->is_present);
 }
 
+static void test_the_dip_that_begins_the_game_does_not_end_the_ghost(void **state)
+{
+    (void)state;
+    float *y_m = &core.game.control[0].live_y_m;
+    lesson_init(&core.lessons);
+    core.game.phase = PHASE_MODE_SELECT;
+    *y_m = 0.05f;
+    lesson_after(10, 0);
+    *y_m = RULES_DIP_Y_M - 0.001f; /* READY begins in the tick in which the poi is dipped. */
+    core.game.phase = PHASE_READY;
+    core.game.phase_tick = core.game.tick;
+    assert_true(ghost_after(60)->is_present);
+    *y_m = RULES_DIP_Y_M + 0.001f; /* A trembling hand is no second dip. */
+    lesson_after(1, 0);
+    *y_m = RULES_DIP_Y_M - 0.001f;
+    assert_true(ghost_after(1)->is_present);
+    *y_m = 0.05f;
+    lesson_after(1, 0);
+    *y_m = -0.05f;
+    assert_false(ghost_after(1)->is_present);
+}
+
 static void test_only_the_first_round_after_attract_mode_has_a_ghost(void **state)
 {
     (void)state;
@@ -641,6 +663,7 @@ int main(void)
         TEST(test_the_ghost_dips_beside_a_fish_glides_under_it_and_carries_it_to_the_bowl),
         TEST(test_a_dip_ends_the_ghost),
         TEST(test_a_dip_in_ready_which_moves_no_poi_ends_the_ghost),
+        TEST(test_the_dip_that_begins_the_game_does_not_end_the_ghost),
         TEST(test_only_the_first_round_after_attract_mode_has_a_ghost),
         TEST(test_a_championship_and_a_bot_have_no_ghost),
         TEST(test_the_bots_dips_before_the_game_do_not_end_the_ghost),
