@@ -1,10 +1,11 @@
 # golden.mk -- pictures for visual inspection.
 
 # BACKDROP=still.png draws a still of the tank behind the text.
-## picture/ui-shots: Draw every screen in both languages in out/ui/
+TEXT ?= 0
+## picture/ui-shots: Draw every screen in both languages in out/ui/; TEXT=2: large texts
 ui-shots: $(BUILD)/tests/golden/ui_shots
 	@mkdir -p out/ui
-	@$< out/ui $(BACKDROP)
+	@$< out/ui $(TEXT) $(BACKDROP)
 
 $(BUILD)/tests/golden/ui_shots: $(BUILD)/tests/golden/ui_shots.o $(BUILD)/platform/panic_core.o \
     $(BUILD)/shell.a $(BUILD)/core.a

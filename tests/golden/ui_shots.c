@@ -1,9 +1,10 @@
 /* ui_shots.c -- writes pictures of every screen of the user interface for visual review.
  *
- * Usage: build/tests/golden/ui_shots OUT [BACKDROP.png]
+ * Usage: build/tests/golden/ui_shots OUT TEXT [BACKDROP.png]
  *
- * The program draws each screen off screen in both languages and in four sizes over a backdrop. The
- * backdrop is the picture BACKDROP.png of the tank, or plain water by default. The pictures are
+ * The program draws each screen off screen in both languages and in four sizes over a backdrop.
+ * TEXT is the setting SET_TEXT, the size of small texts: 0 (normal) to 2 (largest). The backdrop is
+ * the picture BACKDROP.png of the tank, or plain water by default. The pictures are
  * written to OUT/NAME_LANGUAGE_WIDTHxHEIGHT.png. The program also prints the time to draw one
  * screen. */
 #include <GLES3/gl3.h>
@@ -29,6 +30,7 @@
 
 static struct specimen_pass specimens;
 static struct textures textures;
+static uint8_t text_size; /* Value of SET_TEXT in all pictures. */
 
 struct shot {
     const char *name;
@@ -251,6 +253,7 @@ static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t lan
     scene->seconds_left = shot->seconds_left;
     scene->best_today = shot->best;
     scene->language = language;
+    scene->text_size = text_size;
     scene->mode = shot->mode;
     scene->modes =
         shot->two_modes ? 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE : (1u << CHOICE_COUNT) - 1u;
@@ -431,10 +434,13 @@ int main(int count, char **arguments)
     static struct ui ui;
     char why[256];
     SDL_setenv("SDL_VIDEODRIVER", "offscreen", 0);
-    if (count < 2 || count > 3) {
-        fputs("usage: ui_shots OUT [BACKDROP.png]\n", stderr);
+    const bool has_size =
+        count > 2 && strlen(arguments[2]) == 1 && arguments[2][0] >= '0' && arguments[2][0] <= '2';
+    if (!has_size || count > 4) {
+        fputs("usage: ui_shots OUT TEXT [BACKDROP.png], with a TEXT from 0 to 2\n", stderr);
         return 2;
     }
+    text_size = (uint8_t)(arguments[2][0] - '0');
     if (!open_context()) {
         fprintf(stderr, "ui_shots: no OpenGL ES 3 context: %s\n", SDL_GetError());
         return 1;
@@ -452,7 +458,7 @@ int main(int count, char **arguments)
     }
     struct canvas canvas = { 0 };
     canvas.backdrop =
-        load_backdrop(count > 2 ? arguments[2] : NULL, &canvas.back_width, &canvas.back_height);
+        load_backdrop(count > 3 ? arguments[3] : NULL, &canvas.back_width, &canvas.back_height);
     if (!shoot_all(&ui, arguments[1], canvas)) {
         return 74;
     }

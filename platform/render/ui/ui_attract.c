@@ -39,10 +39,12 @@ void ui_attract(const struct ui_frame *frame)
         ui_outlined(ui_style(frame, FONT_BODY, 17.0f, 0.5f, 0xe9dcc6ffu, frame->width - 32.0f * u),
                     0.05f, 0.12f, 0x0a0814d0u);
     const float x = 0.5f * frame->width;
+    /* Larger letters need a larger distance between the lines. */
+    const float keys_y = frame->height - 15.0f * u, step = (8.0f + 18.0f * frame->text_scale) * u;
     if (!(scene->credit.warnings & WARN_NO_POI)) {
-        ui_text(frame->batch, text, x, frame->height - 41.0f * u, ui_words(frame, TEXT_MOUSE));
+        ui_text(frame->batch, text, x, keys_y - step, ui_words(frame, TEXT_MOUSE));
     }
-    ui_text(frame->batch, text, x, frame->height - 15.0f * u, ui_words(frame, TEXT_KEYS));
+    ui_text(frame->batch, text, x, keys_y, ui_words(frame, TEXT_KEYS));
 }
 
 /* Draws the start of a round. The curtain rises, then a ring over the water counts down three

@@ -12,6 +12,8 @@
 #define SECONDS_SHOWN 99.0f
 #define RAISE_S 0.16f
 #define LINE_INK 0x3a2418ffu
+/* Rise of the upper line of a tag, in layout units, for an increase of the text scale by 1. */
+#define LINE_RISE 20.0f
 
 static const struct {
     enum text_key name, ends;
@@ -46,6 +48,13 @@ struct tag_layout {
 static const struct tag_layout large = { 128.0f, 74.0f, 46.0f, { 60.0f, 26.0f }, 23.0f };
 static const struct tag_layout small = { 94.0f, 46.0f, 34.0f, { 52.0f, 23.0f }, 22.0f };
 
+/* Returns how much higher the upper line of a tag is than at the normal size of small texts, in
+ * layout units. Larger letters need a larger distance between the lines. */
+static float line_rise(const struct ui_frame *frame)
+{
+    return LINE_RISE * (frame->text_scale - 1.0f);
+}
+
 /* Draws the name of a tag and two lines below the name. */
 static void tag_words(const struct ui_frame *frame, const struct tag_layout *at, struct ui_box box,
                       const char *name, const char *const lines[2])
@@ -55,10 +64,11 @@ static void tag_words(const struct ui_frame *frame, const struct tag_layout *at,
     struct ui_text brush = ui_brush(frame, at->name_size, at->name_size_stall, -0.06f, UI_INK);
     brush.align = 0.5f;
     brush.fit_px = room;
-    ui_text_at(frame, brush, x, bottom - at->name_y * u, name);
+    const float rise = line_rise(frame);
+    ui_text_at(frame, brush, x, bottom - (at->name_y + 0.5f * rise) * u, name);
     for (uint32_t i = 0; i < 2u; i++) {
         ui_text_at(frame, ui_style(frame, FONT_BODY, at->line_size, 0.5f, LINE_INK, room), x,
-                   bottom - at->line_y[i] * u, lines[i]);
+                   bottom - (at->line_y[i] + (i == 0 ? rise : 0.0f)) * u, lines[i]);
     }
 }
 
@@ -66,7 +76,8 @@ static void tag_words(const struct ui_frame *frame, const struct tag_layout *at,
 static void level_tag(const struct ui_frame *frame, uint8_t level, struct ui_box box)
 {
     const float u = frame->unit, bottom = box.y + box.height;
-    const struct ui_box rule = { box.x + 34.0f * u, bottom - 84.0f * u, box.width - 68.0f * u,
+    const float rule_y = 84.0f + line_rise(frame);
+    const struct ui_box rule = { box.x + 34.0f * u, bottom - rule_y * u, box.width - 68.0f * u,
                                  2.5f * u };
     char paper[TEXT_LINE_MAX];
     text_number(paper, sizeof paper, ui_words(frame, TEXT_PAPER),

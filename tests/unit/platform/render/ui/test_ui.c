@@ -58,6 +58,7 @@ static void test_every_screen_fits_in_any_phase_language_size_and_moment(void **
             for (uint8_t hint = 0; hint < HINT_COUNT; hint++) {
                 for (size_t m = 0; m < sizeof moments_s / sizeof *moments_s; m++) {
                     set_scene(phase, language, hint, moments_s[m]);
+                    scene.text_size = (uint8_t)((m + hint) % 3u); /* Every value of SET_TEXT. */
                     memory = (struct ui_memory){ 0 };
                     lay_out(sizes[k % SIZE_COUNT]);
                     check_inside(sizes[k % SIZE_COUNT]);
@@ -344,10 +345,10 @@ static void check_no_line_on_another(struct size size)
     for (uint32_t i = 0; i < count; i++) {
         for (uint32_t j = 0; j < i; j++) {
             if (shared(&lines[i], &lines[j]) > 0.10f) {
-                fail_msg("phase %d mode %d language %d on %gx%g: letters at %.0f,%.0f .. %.0f,%.0f "
-                         "lie on those at %.0f,%.0f .. %.0f,%.0f",
-                         scene.phase, scene.mode, scene.language, (double)size.width,
-                         (double)size.height, (double)lines[i].bounds.left,
+                fail_msg("phase %d mode %d language %d text %d on %gx%g: letters at %.0f,%.0f .. "
+                         "%.0f,%.0f lie on those at %.0f,%.0f .. %.0f,%.0f",
+                         scene.phase, scene.mode, scene.language, scene.text_size,
+                         (double)size.width, (double)size.height, (double)lines[i].bounds.left,
                          (double)lines[i].bounds.top, (double)lines[i].bounds.right,
                          (double)lines[i].bounds.bottom, (double)lines[j].bounds.left,
                          (double)lines[j].bounds.top, (double)lines[j].bounds.right,
@@ -362,7 +363,7 @@ static void test_no_texts_overlap_on_any_screen_at_rest(void **state)
     (void)state;
     static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_MODE_SELECT, PHASE_READY, PHASE_ROUND,
                                       PHASE_RESULT };
-    for (uint32_t k = 0; k < SIZE_COUNT * 5u * MODE_COUNT * POI_MAX * LANGUAGE_COUNT; k++) {
+    for (uint32_t k = 0; k < SIZE_COUNT * 5u * MODE_COUNT * POI_MAX * LANGUAGE_COUNT * 3u; k++) {
         const struct size size = sizes[k % SIZE_COUNT];
         uint32_t rest = (uint32_t)(k / SIZE_COUNT);
         const uint8_t phase = phases[rest % 5u];
@@ -370,7 +371,8 @@ static void test_no_texts_overlap_on_any_screen_at_rest(void **state)
         set_scene(phase, (uint8_t)(rest % LANGUAGE_COUNT), HINT_START,
                   phase == PHASE_READY ? 1.3f : 8.0f);
         rest /= LANGUAGE_COUNT;
-        set_match((uint8_t)(rest % MODE_COUNT), rest / MODE_COUNT + 1u, 0);
+        set_match((uint8_t)(rest % MODE_COUNT), rest / MODE_COUNT % POI_MAX + 1u, 0);
+        scene.text_size = (uint8_t)(rest / (MODE_COUNT * POI_MAX)); /* Every value of SET_TEXT. */
         for (uint32_t i = 0; i < POI_MAX; i++) {
             scene.caught[i] = 107u - i; /* The largest catch on record is 107. */
             scene.player[i].foul_s = 60.0f;
