@@ -14,9 +14,8 @@ layout(std140) uniform Frame {
                      // caustics layer.
     vec4 shadow;     // xy: factors from world x, z to the shadow map's -1 .. 1. zw: sideways drift
                      // of a shadow in m per m of height.
-    vec4 bend;       // xy: shift of the refracted picture, as a fraction of the screen, per unit of
-                     // surface slope in x and in z.
-    vec4 placed;     // Columns of the matrix that rotates the picture on the screen.
+    vec4 bend;       // Columns of a matrix: shift of the refracted picture, as a fraction of the
+                     // screen, per unit of surface slope in x and in z.
     vec4 shade_map;  // xy: factors from world x, z to the shade map's -0.5 .. 0.5.
 };
 
@@ -24,6 +23,8 @@ layout(std140) uniform Frame {
 // at the water surface and at the floor. b, a: fans and dry pois, likewise.
 uniform sampler2D shades;
 
+// Maximum slope of the water surface for the refraction, as in basin_pass.c.
+const float SEEN_SLOPE_MAX = 0.05;
 const vec3 WATER_COLOR = vec3(0.09, 0.42, 0.53);
 const vec3 LAMP_DIRECTION = vec3(0.251, 0.955, 0.151); // Direction from any point to the lamps of
                                                        // the stall.

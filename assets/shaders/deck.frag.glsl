@@ -1,7 +1,7 @@
 // The rim and the counter. The shader is compiled in three variants, so that each variant computes
 // only its own part: COUNTER for the counter, RIM for the top of the rim, and neither for the sides
-// of the rim. The picture is kept while the camera rests; KEPT draws the picture with the shades of
-// the fans.
+// of the rim. The picture is kept while the camera rests. KEPT draws the kept picture, and SHADED
+// adds the shades of the fans.
 in vec3 world;
 in vec3 face;
 uniform sampler2D wood;
@@ -23,7 +23,10 @@ float lamp_pool(float falloff)
 void main()
 {
     vec4 kept = texture(wood, gl_FragCoord.xy * screen.xy);
-    color = vec4(kept.rgb * (1.0 - 0.8 * shade_above(world)), kept.a);
+#ifdef SHADED
+    kept.rgb *= 1.0 - 0.8 * shade_above(world);
+#endif
+    color = kept;
 }
 #elif defined(COUNTER)
 void main()

@@ -1,16 +1,21 @@
-// A fish of the tank. The vertex shader blends the key shapes (morph.glsl), bends the body, adds
+// A fish of the tank. The vertex shader reads the blended shape of the fish, bends the body, adds
 // the swimming wave along the spine, and places the fish in the world. With FIN defined the shader
 // draws the fins, otherwise the body and the eyes.
+layout(location = 8) in vec4 surface;      // u, v, part / 255, flexibility.
 layout(location = 9) in vec4 place;        // World position. w: length in m.
 layout(location = 10) in vec4 right_phase; // The body's right axis in the world. w: phase of the
                                            // swimming wave.
 layout(location = 11) in vec4 up_amplitude; // The body's up axis in the world. w: amplitude of the
                                             // swimming wave.
 layout(location = 14) in vec4 character;   // Bend in rad, maturity, pattern layer, hue.
-layout(location = 15) in vec3 gulp;        // Opening of the mouth, phase of the gulp, texture row
-                                           // of the pose.
+layout(location = 13) in vec4 rides;       // zw: motion of the opening mouth, as pack_mouth() of
+                                           // fish_mesh.c writes it.
+layout(location = 15) in vec3 gulp;        // Opening of the mouth, phase of the gulp, row of the
+                                           // fish in `shapes`.
 
 uniform sampler2D caustics;
+uniform sampler2D shapes; // For each vertex a texel with the position, in body lengths, and a texel
+                          // with the normal (platform/render/fish_shapes.h).
 
 // The vertex shader computes the colours of both extremes of the skin. The fragment shader only
 // selects between the colours.
@@ -35,8 +40,9 @@ const float ARC_MIDDLE = 0.02;   // Distance, in body lengths, by which a bend o
                                  // centre of mass.
 const float SEAM = 0.005;        // Overlap, in m, of the parts of a fish above and below the
                                  // surface.
-const float JAWS = 0.080;        // Length of the moving part of the mouth, in the body coordinate
-                                 // u.
+const float THROAT = 0.042;      // Largest motion of the mouth forward or backward, as in
+                                 // fish_mesh.c.
+const float LOWER_LIP = 0.022;   // Largest motion of the mouth up or down, as in fish_mesh.c.
 
 #ifdef FIN
 void colour()
@@ -63,27 +69,22 @@ void colour()
 #endif
 
 #ifndef FIN
-// Opens the mouth and returns its visibility as a dark throat. A carp's mouth protrudes and its
-// lower jaw drops. The vertex that closes the snout moves inward and becomes the throat.
+// Opens the mouth and returns its visibility as a dark throat. The position must not depend on the
+// normal, so that the binning shader, which computes only positions, reads no normals.
 float open_mouth(inout vec3 p)
 {
-    float body = 1.0 - step(0.5, surface.z * 255.0);
-    float lips = gulp.x * body * (1.0 - smoothstep(0.0, JAWS, surface.x));
-    float under = 1.0 - abs(surface.y * 2.0 - 1.0);
-    // The position must not depend on the normal, so that the binning shader, which computes only
-    // positions, blends no normals.
-    float pole = rides.z;
-    p.y += lips * mix(0.010, -0.022, smoothstep(0.30, 0.70, under)) * (1.0 - pole);
-    p.z -= lips * 0.014 * (1.0 - 4.0 * pole);
-    return gulp.x * pole;
+    vec2 moves = (rides.zw - 128.0) * (gulp.x / 127.0);
+    p.z -= moves.x * THROAT;
+    p.y += moves.y * LOWER_LIP;
+    return gulp.x * step(rides.z, 127.5);
 }
 #endif
 
 void main()
 {
-    vec3 p;
-    vec3 n;
-    morph(int(gulp.z + 0.5), p, n);
+    ivec2 texel = ivec2(2 * gl_VertexID, int(gulp.z + 0.5));
+    vec3 p = texelFetch(shapes, texel, 0).xyz;
+    vec3 n = texelFetch(shapes, texel + ivec2(1, 0), 0).xyz;
 
 #ifndef FIN
     float throat = open_mouth(p);
@@ -92,7 +93,6 @@ void main()
     // The swimming wave travels along the spine. Its amplitude envelope was measured on cruising
     // fish with the build of a carp.
     float t = p.z + 0.5;
-    float flex = surface.w;
     float amplitude = up_amplitude.w;
     float phase = right_phase.w - WAVE_NUMBER * t;
     float envelope = amplitude * (0.02 - 0.0825 * t + 0.1625 * t * t);
@@ -105,21 +105,25 @@ void main()
     // response. The centre of mass stays in place, because no outside force acts on the body.
     float s = t - PIVOT;
     float turn = character.x * s;
-    float half_turn = 0.5 * turn;
-    float chord = abs(half_turn) > 1e-3 ? s * sin(half_turn) / half_turn : s;
-    float x = side + chord * sin(half_turn) - ARC_MIDDLE * character.x;
-    float z = PIVOT - 0.5 + chord * cos(half_turn);
+    // The series of sin(turn) / turn and (1 - cos(turn)) / turn are exact to 2e-4 for turns up to
+    // 1.6 rad, and need no case for a turn of 0.
+    float turn2 = turn * turn;
+    float along = 1.0 - turn2 * (1.0 / 6.0 - turn2 * (1.0 / 120.0 - turn2 / 5040.0));
+    float across = turn * (0.5 - turn2 * (1.0 / 24.0 - turn2 / 720.0));
+    float x = side + s * across - ARC_MIDDLE * character.x;
+    float z = PIVOT - 0.5 + s * along;
     float angle = turn + side_slope;
     float c = cos(angle);
     float d = sin(angle);
 
+#ifdef FIN
     // Fins lag behind the water that the body moves, and always flutter slightly.
     float idle = sin(eye.w * 5.0 + right_phase.w * 0.5 + place.x * 40.0 + p.x * 12.0);
-    float trail = flex * (0.045 * amplitude * sin(phase - 1.3) + 0.010 * idle);
-#ifdef FIN
+    float trail = surface.w * (0.045 * amplitude * sin(phase - 1.3) + 0.010 * idle);
     p.y += trail * 0.5;
+    x += trail;
 #endif
-    p = vec3(x + p.x * c + trail, p.y, z - p.x * d);
+    p = vec3(x + p.x * c, p.y, z - p.x * d);
     n = vec3(n.x * c + n.z * d, n.y, n.z * c - n.x * d);
 
     vec3 right = right_phase.xyz;

@@ -1,14 +1,17 @@
-// Reflections on the water surface at low resolution: the stall's lanterns in the waves. The water
-// surface (water.frag.glsl) reads this picture. rgb: reflected light. a: brightness of the refracted
-// picture, as MIRROR_GAIN in water.frag.glsl decodes it.
+// The water surface at low resolution: the reflections of the stall's lanterns in the waves, and the
+// slopes. The water surface (water.frag.glsl) reads this picture. r: reflected light, which has the
+// colour of the lanterns. g: brightness of the refracted picture, as MIRROR_GAIN in water.frag.glsl
+// decodes it. ba: slopes for the refraction, from -SEEN_SLOPE_MAX to SEEN_SLOPE_MAX.
 in vec3 world;
+in vec2 grid;
 uniform sampler2D slopes;
 uniform sampler2D environment;
 out vec4 color;
 
 void main()
 {
-    vec2 slope = texture(slopes, world.xz / tank.xz * 0.5 + 0.5).rg;
+    vec4 slopes_here = texture(slopes, grid); // As in struct basin_pass.
+    vec2 slope = slopes_here.rg;
     vec3 view = normalize(eye.xyz - world);
     vec3 normal = normalize(vec3(-slope.x * 1.5, 1.0, -slope.y * 1.5));
     float facing = dot(normal, view);
@@ -26,7 +29,7 @@ void main()
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     float lit = 1.0 - shade_above(world);      // A fan also hides the lamps from the water.
-    vec3 light = vec3(1.0, 0.86, 0.62) * min(lantern * lit * (0.10 + 3.0 * fresnel), 0.30)
-        + glint * lit * vec3(0.55, 0.48, 0.36);
-    color = vec4(light, 0.5 + 2.0 * clamp((slope.x + slope.y) * 0.6, -0.10, 0.14));
+    float light = min(lantern * lit * (0.10 + 3.0 * fresnel), 0.30) + glint * lit * 0.55;
+    color = vec4(light, 0.5 + 2.0 * clamp((slope.x + slope.y) * 0.6, -0.10, 0.14),
+                 0.5 + slopes_here.ba * (0.5 / SEEN_SLOPE_MAX));
 }

@@ -13,8 +13,8 @@
 // keep the body's axes, as fins do. ANCHORS is 2 if attached vertices may turn with the skin, as
 // eyes do.
 //
-// If POSE_ROWS is defined, each fish's pose is a row of texels in `poses`. Otherwise the uniform
-// block Pose contains the pose of the only fish.
+// The uniform block Pose contains the pose of the fish. The fish of the tank do not use this file,
+// because their shapes are blended on the CPU (platform/render/fish_shapes.h).
 #ifdef KEYS
 layout(location = 0) in vec4 key_0;
 layout(location = 1) in vec4 key_1;
@@ -38,23 +38,17 @@ layout(location = 8) in vec4 surface; // u, v, part / 255, flexibility.
 #if CURVES > 1
 layout(location = 12) in vec4 masks;  // Weight of each curve in the vertex's motion. The sum is 1.
 #endif
-layout(location = 13) in vec3 rides;  // x: index of the vertex's anchor; 255 means none. y: side of
-                                      // a paired part. z: 1 for the vertex that closes the snout.
+layout(location = 13) in vec4 rides;  // x: index of the vertex's anchor; 255 means none. y: side of
+                                      // a paired part.
 
 uniform float reach;                  // Length in body lengths for which the attribute value 1
                                       // stands.
 
 // Layout of a pose: for each curve the weights of keys 0 to 3 and 4 to 7, then for each anchor its
 // position and rotation.
-#ifdef POSE_ROWS
-uniform sampler2D poses;
-#define POSE(index) texelFetch(poses, ivec2(index, row), 0)
-#else
 layout(std140) uniform Pose {
     vec4 pose[8 + 2 * 96];
 };
-#define POSE(index) pose[index]
-#endif
 
 // Returns the normal that is stored on the unfolded octahedron |x| + |y| + |z| = 1. Normals are
 // blended in the octahedral form.
@@ -82,37 +76,37 @@ void blend(vec4 key, float weight, inout vec3 p, inout vec3 n)
 
 #if ANCHORS
 // Moves the vertex to the position of its anchor. A vertex without an anchor does not change.
-void carry(int row, inout vec3 p, inout vec3 n)
+void carry(inout vec3 p, inout vec3 n)
 {
     if (rides.x < 254.5) {
         int at = 2 * CURVES + 2 * int(rides.x + 0.5);
 #if ANCHORS > 1
-        vec4 turn = POSE(at + 1);
+        vec4 turn = pose[at + 1];
         p = turned_by(turn, p);
         n = turned_by(turn, n);
 #endif
-        p += POSE(at).xyz;
+        p += pose[at].xyz;
     }
 }
 #endif
 
 // Computes the position `p` and normal `n` of the vertex in the fish's coordinate system. `n` is
 // not normalized.
-void morph(int row, out vec3 p, out vec3 n)
+void morph(out vec3 p, out vec3 n)
 {
 #if CURVES > 1
     vec4 low = vec4(0.0);
     vec4 high = vec4(0.0);
     for (int curve = 0; curve < CURVES; curve++) {
-        low += POSE(2 * curve) * masks[curve];
+        low += pose[2 * curve] * masks[curve];
 #if KEYS > 4
-        high += POSE(2 * curve + 1) * masks[curve];
+        high += pose[2 * curve + 1] * masks[curve];
 #endif
     }
 #else
-    vec4 low = POSE(0);
+    vec4 low = pose[0];
 #if KEYS > 4
-    vec4 high = POSE(1);
+    vec4 high = pose[1];
 #endif
 #endif
     p = vec3(0.0);
@@ -137,7 +131,7 @@ void morph(int row, out vec3 p, out vec3 n)
 #endif
     p *= reach;
 #if ANCHORS
-    carry(row, p, n);
+    carry(p, n);
 #endif
 }
 #endif

@@ -72,7 +72,7 @@ void main()
     vec3 p;
     vec3 n;
     float part = floor(surface.z * 255.0 + 0.5);
-    morph(0, p, n);
+    morph(p, n);
     if (swim.z > TUNA) {
         flap(p, n);
     } else if (part > 1.5) {

@@ -1,6 +1,6 @@
 /* display_gl.h -- the display of a real kiosk: an SDL2 window with an OpenGL ES 3.0 context.
  *
- * The caller owns `struct display_gl` (about 1.4 MiB, so it must be static), fills `config` and
+ * The caller owns `struct display_gl` (about 1.6 MiB, so it must be static), fills `config` and
  * sets all other fields to zero. open() creates all OpenGL objects, so that drawing a frame
  * allocates no memory in this program's code. Mouse and key events stay in SDL's queue for the
  * drivers that read them. */

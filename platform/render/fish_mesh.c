@@ -1,8 +1,6 @@
-/* fish_mesh.c -- packs the meshes of fish into OpenGL buffers, and the poses of fish into a
- * texture. */
+/* fish_mesh.c -- packs the meshes of fish into OpenGL buffers, and poses into texels. */
 #include "platform/render/fish_mesh.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "core/base/panic.h"
@@ -13,7 +11,7 @@
  * flexibility of the vertex. */
 #define SURFACE_SIZE 4u
 /* Size in bytes of the vertex attribute with the anchor (the point of the skin to which the vertex
- * is attached), the side of the body, the flag of is_snout_end(), and one byte of padding. */
+ * is attached), the side of the body, and the two bytes of pack_mouth(). */
 #define RIDES_SIZE 4u
 /* Size in bytes of the vertex attribute with the paint coordinates, which are two 16-bit
  * fractions. */
@@ -31,6 +29,37 @@ static bool is_snout_end(const struct species_mesh *source, uint32_t index)
            morph_normal(source->points[0][index].normal).z <= -0.95f;
 }
 
+/* Length of the moving part of the mouth, in the body coordinate u. */
+#define JAWS 0.080f
+/* Distances, in body lengths, by which an opening mouth moves its parts: the upper lip upward, the
+ * lower lip downward, both lips forward, and the vertex that closes the snout backward. */
+#define UPPER_LIP 0.010f
+#define LOWER_LIP 0.022f
+#define PROTRUSION 0.014f
+#define THROAT 0.042f
+/* Value of a byte of pack_mouth() that stands for no motion, and number of steps from there to the
+ * largest motion. */
+#define MOUTH_REST 128.0f
+#define MOUTH_STEPS 127.0f
+
+/* Writes the motion of a vertex when the mouth opens completely: forward in units of THROAT, and
+ * upward in units of LOWER_LIP. A carp's mouth protrudes and its lower jaw drops. The vertex that
+ * closes the snout moves backward and becomes the throat. It is the only vertex that moves
+ * backward. */
+static void pack_mouth(uint8_t out[2], const struct species_mesh *source, uint32_t index)
+{
+    const struct species_vertex *const vertex = &source->vertices[index];
+    const bool is_end = is_snout_end(source, index);
+    const float lips =
+        vertex->part == PART_BODY ? 1.0f - f_smoothstep(0.0f, JAWS, vertex->u) : 0.0f;
+    const float under = 1.0f - f_abs(vertex->v * 2.0f - 1.0f);
+    const float rise =
+        is_end ? 0.0f : lips * f_lerp(UPPER_LIP, -LOWER_LIP, f_smoothstep(0.30f, 0.70f, under));
+    const float forward = lips * (is_end ? -THROAT : PROTRUSION);
+    out[0] = (uint8_t)(MOUTH_REST + forward / THROAT * MOUTH_STEPS + 0.5f);
+    out[1] = (uint8_t)(MOUTH_REST + rise / LOWER_LIP * MOUTH_STEPS + 0.5f);
+}
+
 static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_t key_count,
                         uint32_t index)
 {
@@ -44,7 +73,7 @@ static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_
     memcpy(rest + SURFACE_SIZE, vertex->mask, MORPH_CURVE_MAX);
     rest[SURFACE_SIZE + MORPH_CURVE_MAX] = vertex->anchor;
     rest[SURFACE_SIZE + MORPH_CURVE_MAX + 1u] = vertex->side;
-    rest[SURFACE_SIZE + MORPH_CURVE_MAX + 2u] = is_snout_end(source, index);
+    pack_mouth(rest + SURFACE_SIZE + MORPH_CURVE_MAX + 2u, source, index);
     float uv[2];
     paint_atlas_find(vertex, uv);
     const uint16_t paint[2] = { (uint16_t)(uv[0] * 65535.0f + 0.5f),
@@ -104,7 +133,7 @@ void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
     }
     gl_attribute_bytes(FISH_ATTRIBUTE_SURFACE, 4, true, stride, rest);
     gl_attribute_bytes(FISH_ATTRIBUTE_MASKS, 4, true, stride, rest + SURFACE_SIZE);
-    gl_attribute_bytes(FISH_ATTRIBUTE_RIDES, 3, false, stride,
+    gl_attribute_bytes(FISH_ATTRIBUTE_RIDES, 4, false, stride,
                        rest + SURFACE_SIZE + MORPH_CURVE_MAX);
     glEnableVertexAttribArray(FISH_ATTRIBUTE_PAINT);
     glVertexAttribPointer(FISH_ATTRIBUTE_PAINT, 2, GL_UNSIGNED_SHORT, GL_TRUE, (GLsizei)stride,
@@ -152,94 +181,4 @@ uint32_t fish_poses_pack(float out[][4], const struct morph_pose *pose, uint32_t
         memcpy(out[at], texels, sizeof texels);
     }
     return at;
-}
-
-/* Returns the value of the macro ANCHORS for morph.glsl. 0 means that no vertex has an anchor. 1
- * means that vertices have anchors and that no anchor rotates with the skin. 2 means that at least
- * one anchor rotates. */
-static uint32_t riding(const struct species_mesh *mesh, bool fins)
-{
-    uint32_t most = 0;
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        const struct species_vertex *const vertex = &mesh->vertices[i];
-        if (vertex->anchor != ANCHOR_NONE && (!fins || vertex->part >= PART_TAIL)) {
-            const uint32_t rides = mesh->anchors[vertex->anchor].turns ? 2u : 1u;
-            most = rides > most ? rides : most;
-        }
-    }
-    return most;
-}
-
-void fish_poses_defines(char *out, size_t size, const struct species *species, bool fins)
-{
-    CORE_ASSERT(size > 0);
-    const uint32_t near = riding(&species->lod[0], fins), far = riding(&species->lod[1], fins);
-    snprintf(out, size,
-             "#define POSE_ROWS\n#define KEYS %u\n#define CURVES %u\n#define ANCHORS %u\n",
-             species->card.key_count, species->card.curve_count, near > far ? near : far);
-}
-
-_Static_assert(SCENE_FISH_MAX <= GL_TEXTURE_SURE && POSE_TEXELS_MAX <= GL_TEXTURE_SURE,
-               "a row for each fish, on every driver");
-
-void fish_poses_open(struct gl_status *status, struct fish_poses *poses,
-                     const struct species *species, uint32_t lod)
-{
-    CORE_ASSERT(species->card.curve_count <= MORPH_CURVE_MAX);
-    CORE_ASSERT(lod < SPECIES_LOD_COUNT);
-    poses->mesh = &species->lod[lod];
-    poses->curve_count = species->card.curve_count;
-    poses->width = 2u * poses->curve_count + 2u * poses->mesh->anchor_count;
-    for (uint32_t i = 0; i < SCENE_FISH_MAX; i++) {
-        poses->progress[i] = -1.0f;
-    }
-    poses->texture = gl_texture(status, "poses",
-                                &(struct gl_texture_desc){ .internal_format = GL_RGBA32F,
-                                                           .width = poses->width,
-                                                           .height = SCENE_FISH_MAX,
-                                                           .nearest = true });
-}
-
-void fish_poses_close(struct fish_poses *poses)
-{
-    glDeleteTextures(1, &poses->texture);
-}
-
-void fish_poses_end(struct fish_poses *poses)
-{
-    CORE_ASSERT(poses->run_count <= POSE_RUN);
-    if (poses->run_count > 0) {
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, (GLint)poses->run_first, (GLsizei)poses->width,
-                        (GLsizei)poses->run_count, GL_RGBA, GL_FLOAT, poses->run);
-        poses->run_count = 0;
-    }
-}
-
-void fish_poses_begin(struct fish_poses *poses)
-{
-    poses->run_count = poses->posed_count = 0;
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl_bind_texture(0, GL_TEXTURE_2D, poses->texture);
-}
-
-void fish_poses_set(struct fish_poses *poses, const struct morph_rig *rig, uint32_t row,
-                    float progress)
-{
-    CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
-    CORE_ASSERT(row < SCENE_FISH_MAX);
-    if (poses->progress[row] == progress) {
-        return;
-    }
-    if (poses->run_count == POSE_RUN || row != poses->run_first + poses->run_count) {
-        fish_poses_end(poses);
-    }
-    if (poses->run_count == 0) {
-        poses->run_first = row;
-    }
-    morph_pose(rig, poses->mesh, progress, &poses->pose);
-    fish_poses_pack(poses->run + poses->run_count * poses->width, &poses->pose, poses->curve_count,
-                    poses->mesh->anchor_count);
-    poses->progress[row] = progress;
-    poses->run_count++;
-    poses->posed_count++;
 }

@@ -1,6 +1,5 @@
 /* fish_mesh.h -- uploads a species' key shapes (modelled growth stages) as the vertex attributes
- * that the shader morph.glsl reads, and stores the poses of many fish of one mesh in a texture for
- * this shader.
+ * that the shader morph.glsl reads.
  *
  * Each key shape stores eight bytes per vertex, as in species.h: the position as three 16-bit
  * fractions of the mesh's reach, and the normal as a 16-bit octahedral code. OpenGL ES 3.0
@@ -10,7 +9,6 @@
 
 #include "core/morph/morph.h"
 #include "core/morph/species.h"
-#include "core/scene.h"
 #include "platform/render/gl_util.h"
 
 /* Locations of the vertex attributes, as in assets/shaders. Key shapes use the locations 0 to 7.
@@ -57,15 +55,8 @@ void fish_mesh_close(struct fish_mesh *mesh);
  * the eyes. The caller has bound the shader program and the instance attributes. */
 void fish_mesh_draw(const struct fish_mesh *mesh, bool fins, GLsizei instance_count);
 
-/* ---- Poses: one texture row for each fish ---------------------------------------------------
- *
- * The pose of a fish depends only on its progress through life. A row is therefore uploaded again
- * only if the fish has grown. Otherwise the row costs one comparison in each frame. */
-
 /* Maximum number of texels of one pose. A texel holds four floats. */
 #define POSE_TEXELS_MAX (2u * MORPH_CURVE_MAX + 2u * ANCHOR_MAX)
-/* Maximum number of consecutive texture rows (poses) that are uploaded in one call. */
-#define POSE_RUN 16u
 
 /* Writes a pose to `out` in the texel layout that morph.glsl reads: two texels for each curve, then
  * two texels for each anchor. Returns the number of texels. `curve_count` is the number of
@@ -73,40 +64,3 @@ void fish_mesh_draw(const struct fish_mesh *mesh, bool fins, GLsizei instance_co
  * mesh. */
 uint32_t fish_poses_pack(float out[][4], const struct morph_pose *pose, uint32_t curve_count,
                          uint32_t anchor_count);
-
-/* Writes the #define lines of a shader program that draws only this species, such as "#define KEYS
- * 5". If `fins` is true, the lines are for a program that draws only the fins. */
-void fish_poses_defines(char *out, size_t size, const struct species *species, bool fins);
-
-struct fish_poses {
-    const struct species_mesh *mesh;
-    GLuint texture;
-    /* Number of deformation curves in a pose (`curve_count`), and number of texels in a texture row
-     * (`width`). */
-    uint32_t curve_count, width;
-    /* Progress through life that each texture row shows, [0, 1]. A negative value means that the
-     * row has not been written yet. */
-    float progress[SCENE_FISH_MAX];
-    /* First row (`run_first`) and number (`run_count`) of the rows in `run`, which have not been
-     * uploaded yet. */
-    uint32_t run_first, run_count;
-    float run[POSE_RUN * POSE_TEXELS_MAX][4];
-    struct morph_pose pose;
-    /* Number of rows written since the last fish_poses_begin(), for measurements. */
-    uint32_t posed_count;
-};
-
-void fish_poses_open(struct gl_status *status, struct fish_poses *poses,
-                     const struct species *species, uint32_t lod);
-void fish_poses_close(struct fish_poses *poses);
-
-/* Starts an update of the poses. The caller then calls fish_poses_set() for each fish, and
- * fish_poses_end() once. */
-void fish_poses_begin(struct fish_poses *poses);
-/* Writes the pose of one fish to the texture row `row`. The pose is computed with the deformation
- * graphs of `rig` at `progress` through life, [0, 1]. Fastest if the rows are written in ascending
- * order. */
-void fish_poses_set(struct fish_poses *poses, const struct morph_rig *rig, uint32_t row,
-                    float progress);
-/* Uploads the written rows that have not been uploaded yet. */
-void fish_poses_end(struct fish_poses *poses);

@@ -84,7 +84,7 @@ static void set_camera(struct frame *frame, const struct view *view,
                                [10] = 1.0f,     [12] = move[0],  [13] = move[1],  [15] = 1.0f };
     multiply(seen, projection, rotation);
     multiply(frame->block.view_projection, placed, seen);
-    memcpy(frame->block.placed, turned, sizeof frame->block.placed);
+    memcpy(frame->placed, turned, sizeof frame->placed);
     frame->view.eye_m = view->eye_m;
     frame->view.focal_px = 0.5f * transform->height / tan_y;
 }
@@ -131,9 +131,10 @@ void frame_begin(struct frame *frame, const struct scene *scene,
     const float distance = v3_length(v3_sub(view->eye_m, view->target_m));
     const float half_height_m = view_half_height_tan(view, aspect) * distance;
     const float shift_m = REFRACTION * scene->tank_size_m.y;
-    frame_block_set(frame->block.bend, 0.5f * shift_m / (half_height_m * aspect),
-                    0.5f * shift_m / half_height_m * v3_dot(axes.up, v3(0.0f, 0.0f, 1.0f)), 0.0f,
-                    0.0f);
+    const float bend_x = 0.5f * shift_m / (half_height_m * aspect);
+    const float bend_z = 0.5f * shift_m / half_height_m * v3_dot(axes.up, v3(0.0f, 0.0f, 1.0f));
+    frame_block_set(block->bend, frame->placed[0] * bend_x, frame->placed[1] * bend_x,
+                    frame->placed[2] * bend_z, frame->placed[3] * bend_z);
     list_shades(&frame->shades, scene);
     frame_block_set(block->shade_map, 1.0f / (size.x + 2.0f * SHADE_MAP_MARGIN_M),
                     1.0f / (size.z + 2.0f * SHADE_MAP_MARGIN_M), 0.0f, 0.0f);

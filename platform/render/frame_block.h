@@ -17,10 +17,9 @@ struct frame_block {
     float screen[4];
     float shadow[4];
     float bend[4];
-    float placed[4];
     float shade_map[4];
 };
-_Static_assert(sizeof(struct frame_block) == 176, "the block has the layout of common.glsl");
+_Static_assert(sizeof(struct frame_block) == 160, "the block has the layout of common.glsl");
 
 /* Values of the camera that the C code reads. The shaders do not read these values. */
 struct frame_view {
@@ -39,6 +38,7 @@ struct frame {
     GLuint buffer;
     struct frame_block block;
     struct frame_view view;
+    float placed[4]; /* Matrix that rotates the picture on the screen, column-major. */
     struct frame_shades shades;
 };
 

@@ -71,6 +71,7 @@ FEATURE_LINES = {
     'the memory card, and the supply, heat, HDMI socket and overlay of a Raspberry Pi in doctor': 232,
     'a bound for the rewritten part of the write-ahead log': 24,
     'pictures that are drawn once, or at low resolution (shades, reflections, counter, fan)': 156,
+    'shapes of fish that are blended once and kept in a texture, and the strips at the edge of the water': 35,
     'quality steps in the order in which a viewer notices them, the screen scale, and half the frame rate': 68,
 }
 

@@ -180,7 +180,7 @@ def frame(args):
         fragment, vertex, binning = (by_name[name].get(stage, none) for stage in STAGES)
         kind = {'fish fin': 'fin', 'fish body': 'body', 'sunk fish body': 'body', 'snouts': 'body'}.get(name, 'other')
         is_fish = kind != 'other'
-        lookups = fragment.lookups + (1 if name == 'water' else 0)  # Slopes are 64 bits a texel.
+        lookups = fragment.lookups + (1 if name == 'mirror' else 0)  # Slopes are 64 bits a texel.
         shading = quads * 4 * instructions(fragment, args.fans) / lanes
         reading = quads * 4 * lookups / texels
         shades = args.pois if is_fish else args.fans

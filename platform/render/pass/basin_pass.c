@@ -6,9 +6,10 @@
 
 #include "core/base/panic.h"
 #include "platform/render/gl_util.h"
+#include "platform/render/half_float.h"
 #include "shaders.h"
 
-/* A corner of the tank. The coordinates are small integers. The vertex shaders tank.vert.glsl and
+/* A corner of the tank. The coordinates are small integers. The vertex shaders wall.vert.glsl and
  * deck.vert.glsl map these integers to the tank's dimensions. */
 struct corner {
     float position[3], normal[3];
@@ -24,16 +25,27 @@ enum basin_part {
     PART_FLOOR,
     PART_WALLS,
     PART_SURFACE,
+    PART_EDGE,
     PART_COUNTER,
     PART_SIDES,
     PART_RIM,
     PART_MIRROR,
     PART_KEPT,
+    PART_KEPT_SHADED,
     PART_END = BASIN_PARTS
 };
 
 #define UP { 0.0f, 1.0f, 0.0f }
+#define H 0.5f
 #define VERTICES_PER_FACE 6u
+/* Number of cells of the floor from left to right and from far to near. A cell of the festival tank
+ * is 40 mm wide, as narrow as the soft edge of a shade. Smaller cells cost more, because a GPU
+ * shades complete quads of 2x2 pixels at the edges of triangles. */
+#define FLOOR_X 32
+#define FLOOR_Z 16
+#define TEXT(number) #number
+#define FLOOR_DEFINE(name, number) "#define " name " " TEXT(number) "\n"
+#define FLOOR_DEFINES FLOOR_DEFINE("GRID_X", FLOOR_X) FLOOR_DEFINE("GRID_Z", FLOOR_Z)
 /* Slope of the water surface that a value of 1 in the scene's `slope` array means. */
 #define SLOPE_UNIT (1.0f / 508.0f)
 /* Number of ticks after which the animation of the wind waves restarts at time 0, so that the
@@ -42,15 +54,18 @@ enum basin_part {
 #define WIND_WRAP_TICKS (600u * CORE_TICK_HZ)
 
 static const struct face faces[] = {
-    /* Floor. */
-    { { -1, -1, -1 }, { 1, -1, -1 }, { 1, -1, 1 }, { -1, -1, 1 }, UP },
     /* Walls, in the order far, near, left, right. */
     { { -1, -1, -1 }, { 1, -1, -1 }, { 1, 0, -1 }, { -1, 0, -1 }, { 0, 0, 1 } },
     { { -1, -1, 1 }, { 1, -1, 1 }, { 1, 0, 1 }, { -1, 0, 1 }, { 0, 0, -1 } },
     { { -1, -1, -1 }, { -1, -1, 1 }, { -1, 0, 1 }, { -1, 0, -1 }, { 1, 0, 0 } },
     { { 1, -1, -1 }, { 1, -1, 1 }, { 1, 0, 1 }, { 1, 0, -1 }, { -1, 0, 0 } },
-    /* Water surface. */
-    { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 0, 1 }, { -1, 0, 1 }, UP },
+    /* Water surface, and its strips at the walls, in the order far, near, left, right. The
+     * coordinates 0.5 are near the wall (water.vert.glsl). */
+    { { -H, 0, -H }, { H, 0, -H }, { H, 0, H }, { -H, 0, H }, UP },
+    { { -1, 0, -1 }, { 1, 0, -1 }, { H, 0, -H }, { -H, 0, -H }, UP },
+    { { -H, 0, H }, { H, 0, H }, { 1, 0, 1 }, { -1, 0, 1 }, UP },
+    { { -1, 0, -1 }, { -H, 0, -H }, { -H, 0, H }, { -1, 0, 1 }, UP },
+    { { H, 0, -H }, { 1, 0, -1 }, { 1, 0, 1 }, { H, 0, H }, UP },
     /* Counter (the table around the tank), in the order far, near, left, right. */
     { { -3, -1, -3 }, { 3, -1, -3 }, { 3, -1, -2 }, { -3, -1, -2 }, UP },
     { { -3, -1, 2 }, { 3, -1, 2 }, { 3, -1, 3 }, { -3, -1, 3 }, UP },
@@ -74,23 +89,27 @@ static const struct face faces[] = {
 };
 #define FACE_COUNT (sizeof faces / sizeof *faces)
 
-static const uint8_t part_faces[PART_END + 1] = { 0, 1, 5, 6, 10, 14, 18, 19, FACE_COUNT };
+static const uint8_t part_faces[PART_END + 1] = { 0,  0,  4,  5,          9,         13,
+                                                  17, 21, 22, FACE_COUNT, FACE_COUNT };
 
 /* Shader program of each part of the tank. */
 static const struct {
     const char *name, *defines, *vertex, *fragment, *samplers;
 } programs[PART_END] = {
-    [PART_FLOOR] = { "floor", "#define FLOOR\n", shader_tank_vert, shader_tank_frag,
+    [PART_FLOOR] = { "floor", FLOOR_DEFINES, shader_floor_vert, shader_floor_frag,
                      "caustics shadows" },
-    [PART_WALLS] = { "walls", "", shader_tank_vert, shader_tank_frag, "caustics" },
-    [PART_SURFACE] = { "water", "", shader_water_vert, shader_water_frag,
-                       "ground life slopes mirror" },
+    [PART_WALLS] = { "walls", "", shader_wall_vert, shader_wall_frag, "caustics" },
+    [PART_SURFACE] = { "water", "", shader_water_vert, shader_water_frag, "ground life mirror" },
+    [PART_EDGE] = { "water edge", "#define EDGE\n", shader_water_vert, shader_water_frag,
+                    "ground life mirror" },
     [PART_COUNTER] = { "counter", "#define COUNTER\n", shader_deck_vert, shader_deck_frag, "wood" },
     [PART_SIDES] = { "rim sides", "", shader_deck_vert, shader_deck_frag, "wood" },
     [PART_RIM] = { "rim", "#define RIM\n", shader_deck_vert, shader_deck_frag, "wood" },
     [PART_MIRROR] = { "mirror", "#define MIRROR\n", shader_water_vert, shader_mirror_frag,
                       "slopes environment" },
     [PART_KEPT] = { "kept deck", "#define KEPT\n", shader_deck_vert, shader_deck_frag, "wood" },
+    [PART_KEPT_SHADED] = { "shaded kept deck", "#define KEPT\n#define SHADED\n", shader_deck_vert,
+                           shader_deck_frag, "wood" },
 };
 
 /* Draws the faces of the parts `first` to `last` with the program of `part`. */
@@ -129,6 +148,7 @@ void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
             out++;
         }
     }
+    glGenVertexArrays(1, &pass->no_attributes);
     glGenVertexArrays(1, &pass->vertex_array);
     glBindVertexArray(pass->vertex_array);
     pass->vertex_buffer = gl_buffer(GL_ARRAY_BUFFER, corners, sizeof corners);
@@ -151,6 +171,7 @@ void basin_pass_close(struct basin_pass *pass)
         glDeleteProgram(pass->programs[i]);
     }
     glDeleteVertexArrays(1, &pass->vertex_array);
+    glDeleteVertexArrays(1, &pass->no_attributes);
     glDeleteBuffers(1, &pass->vertex_buffer);
     gl_ring_close(&pass->slope_ring);
 }
@@ -213,27 +234,32 @@ void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene)
     }
     for (uint32_t z = 0; z < RIPPLE_Z; z++) {
         for (uint32_t x = 0; x < RIPPLE_X; x++) {
-            float *const texel = pass->slopes[z][x];
-            const float along_x = (float)scene->slope[z][x][0] + pass->waves[z][x][0];
-            const float along_z = (float)scene->slope[z][x][1] + pass->waves[z][x][1];
-            texel[0] = SLOPE_UNIT * along_x;
-            texel[1] = SLOPE_UNIT * along_z;
+            uint16_t *const texel = pass->slopes[z][x];
+            const float along_x =
+                SLOPE_UNIT * ((float)scene->slope[z][x][0] + pass->waves[z][x][0]);
+            const float along_z =
+                SLOPE_UNIT * ((float)scene->slope[z][x][1] + pass->waves[z][x][1]);
             const float seen = SEEN_SLOPE_MAX / f_sqrt(SEEN_SLOPE_MAX * SEEN_SLOPE_MAX +
-                                                       texel[0] * texel[0] + texel[1] * texel[1]);
-            texel[2] = texel[0] * seen;
-            texel[3] = texel[1] * seen;
+                                                       along_x * along_x + along_z * along_z);
+            texel[0] = half_float(along_x);
+            texel[1] = half_float(along_z);
+            texel[2] = half_float(along_x * seen);
+            texel[3] = half_float(along_z * seen);
         }
     }
     gl_bind_texture(0, GL_TEXTURE_2D, gl_ring_turn(&pass->slope_ring));
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, RIPPLE_X, RIPPLE_Z, GL_RGBA, GL_FLOAT, pass->slopes);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, RIPPLE_X, RIPPLE_Z, GL_RGBA, GL_HALF_FLOAT,
+                    pass->slopes);
 }
 
 void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint shadows)
 {
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     gl_bind_texture(1, GL_TEXTURE_2D, shadows);
-    draw_part(pass, PART_FLOOR);
+    glUseProgram(pass->programs[PART_FLOOR]);
+    glBindVertexArray(pass->no_attributes);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (FLOOR_X + 1), FLOOR_Z);
     draw_part(pass, PART_WALLS);
 }
 
@@ -265,12 +291,12 @@ void basin_pass_forget(struct basin_pass *pass)
     pass->kept = (struct deck_view){ 0 };
 }
 
-void basin_pass_deck(const struct basin_pass *pass, GLuint kept)
+void basin_pass_deck(const struct basin_pass *pass, GLuint kept, bool is_shaded)
 {
     gl_bind_texture(0, GL_TEXTURE_2D, kept);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
-    draw_parts(pass, PART_KEPT, PART_COUNTER, PART_RIM);
+    draw_parts(pass, is_shaded ? PART_KEPT_SHADED : PART_KEPT, PART_COUNTER, PART_RIM);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
 }
@@ -286,7 +312,7 @@ void basin_pass_water(const struct basin_pass *pass, GLuint ground, GLuint life,
 {
     gl_bind_texture(0, GL_TEXTURE_2D, ground);
     gl_bind_texture(1, GL_TEXTURE_2D, life);
-    gl_bind_texture(2, GL_TEXTURE_2D, gl_ring_texture(&pass->slope_ring));
-    gl_bind_texture(3, GL_TEXTURE_2D, mirror);
+    gl_bind_texture(2, GL_TEXTURE_2D, mirror);
     draw_part(pass, PART_SURFACE);
+    draw_part(pass, PART_EDGE);
 }

@@ -8,23 +8,24 @@
 #include "platform/render/textures.h"
 
 /* Number of parts with a shader program of their own: the floor, the walls, the water surface, the
- * counter, the sides of the rim, the top of the rim, the reflections on the water, and the picture
- * of the counter and the rim. */
-#define BASIN_PARTS 8u
+ * edge of the water surface, the counter, the sides of the rim, the top of the rim, the reflections
+ * on the water, and the picture of the counter and the rim without and with the shades of fans. */
+#define BASIN_PARTS 10u
 
 struct basin_pass {
     GLuint programs[BASIN_PARTS];
     GLuint vertex_array, vertex_buffer;
+    GLuint no_attributes; /* Vertex array of the floor, whose shader computes the grid. */
     struct gl_ring slope_ring;
     /* Camera and tank of the picture that basin_pass_keep_deck() drew last. */
     struct deck_view {
         float view_projection[16], tank[4];
     } kept;
     float waves[RIPPLE_Z][RIPPLE_X][2];
-    /* Four slopes for each point of the water surface. The first two are the slopes along x and
-     * along z for the reflection. The last two are the slopes along x and along z for the
-     * refraction, limited to SEEN_SLOPE_MAX. */
-    float slopes[RIPPLE_Z][RIPPLE_X][4];
+    /* Four slopes for each point of the water surface, as 16-bit floats. The first two are the
+     * slopes along x and along z for the reflection. The last two are the slopes along x and along
+     * z for the refraction, limited to SEEN_SLOPE_MAX. */
+    uint16_t slopes[RIPPLE_Z][RIPPLE_X][4];
 };
 
 void basin_pass_open(struct gl_status *status, struct basin_pass *pass);
@@ -44,12 +45,13 @@ void basin_pass_keep_deck(struct basin_pass *pass, const struct frame_block *fra
 void basin_pass_forget(struct basin_pass *pass);
 /* Draws the rim and the counter (the table around the tank) from the picture `kept` of
  * basin_pass_keep_deck(). The depth test hides the parts behind nearer objects. The rim and the
- * counter write no depth, because a poi (paper scoop) is always held over the rim. */
-void basin_pass_deck(const struct basin_pass *pass, GLuint kept);
-/* Draws the reflections on the water surface, at low resolution, into a render target of their
- * own. */
+ * counter write no depth, because a poi (paper scoop) is always held over the rim. `is_shaded` is
+ * true if a fan casts a shade. */
+void basin_pass_deck(const struct basin_pass *pass, GLuint kept, bool is_shaded);
+/* Draws the reflections on the water surface and its slopes, at low resolution, into a render
+ * target of their own. */
 void basin_pass_mirror(const struct basin_pass *pass, const struct textures *textures);
 /* Draws the water surface and writes its depth. `ground` is the texture with the floor and the
  * walls. `life` is the texture with all other objects under water. `mirror` is the texture with the
- * reflections. */
+ * reflections and the slopes. */
 void basin_pass_water(const struct basin_pass *pass, GLuint ground, GLuint life, GLuint mirror);

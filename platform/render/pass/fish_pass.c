@@ -1,7 +1,6 @@
 /* fish_pass.c -- sorts the fish into groups and draws each group with instanced draw calls. */
 #include "platform/render/pass/fish_pass.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "core/base/panic.h"
@@ -9,29 +8,21 @@
 #include "shaders.h"
 
 #define SORT_LEVELS 256u
-#define DEFINES_SIZE 96
-#define SAMPLERS "caustics patterns poses"
+#define SAMPLERS "caustics patterns shapes"
 
-static struct fish_program link_fish_program(struct gl_status *status, const char *name,
-                                             const char *variant, bool fins)
+static GLuint link_fish_program(struct gl_status *status, const char *name, const char *defines)
 {
-    char defines[DEFINES_SIZE];
-    fish_poses_defines(defines, sizeof defines, &species_wakin, fins);
-    const size_t length = strlen(defines);
-    snprintf(defines + length, sizeof defines - length, "%s", variant);
-    const GLuint program =
-        gl_program(status, name, defines, shader_fish_vert, shader_fish_frag, SAMPLERS);
-    return (struct fish_program){ program, glGetUniformLocation(program, "reach") };
+    return gl_program(status, name, defines, shader_fish_vert, shader_fish_frag, SAMPLERS);
 }
 
 void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
                     struct fish_mesh_memory *memory)
 {
     const struct species *const species = &species_wakin;
-    pass->body = link_fish_program(status, "fish body", "", false);
-    pass->sunk = link_fish_program(status, "sunk fish body", "#define SUNK\n", false);
-    pass->snout = link_fish_program(status, "snouts", "#define SNOUT\n", false);
-    pass->fin = link_fish_program(status, "fish fin", "#define FIN\n", true);
+    pass->body = link_fish_program(status, "fish body", "");
+    pass->sunk = link_fish_program(status, "sunk fish body", "#define SUNK\n");
+    pass->snout = link_fish_program(status, "snouts", "#define SNOUT\n");
+    pass->fin = link_fish_program(status, "fish fin", "#define FIN\n");
     pass->ring_program =
         gl_program(status, "gulp rings", "", shader_gulp_ring_vert, shader_gulp_ring_frag, "");
     glGenVertexArrays(1, &pass->rings);
@@ -39,23 +30,23 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
     for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
         fish_mesh_reserve(&pass->mesh[i]);
         fish_mesh_fill(&pass->mesh[i], memory, &species->lod[i], species->card.key_count);
-        fish_poses_open(status, &pass->poses[i], species, i);
+        fish_shapes_open(status, &pass->shapes[i], &species->lod[i]);
     }
     pass->instance_buffer = gl_buffer(GL_ARRAY_BUFFER, NULL, sizeof pass->instances);
 }
 
 void fish_pass_close(struct fish_pass *pass)
 {
-    glDeleteProgram(pass->body.name);
-    glDeleteProgram(pass->sunk.name);
-    glDeleteProgram(pass->snout.name);
-    glDeleteProgram(pass->fin.name);
+    glDeleteProgram(pass->body);
+    glDeleteProgram(pass->sunk);
+    glDeleteProgram(pass->snout);
+    glDeleteProgram(pass->fin);
     glDeleteProgram(pass->ring_program);
     glDeleteVertexArrays(1, &pass->rings);
     glDeleteBuffers(1, &pass->instance_buffer);
     for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
         fish_mesh_close(&pass->mesh[i]);
-        fish_poses_close(&pass->poses[i]);
+        fish_shapes_close(&pass->shapes[i]);
     }
 }
 
@@ -150,16 +141,16 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
             .gulp = { fish->gape, fish->gulp, (float)row },
         };
     }
-    /* The texture row of each fish is its index in the scene. A row is written again only if the
-     * fish has grown or its level of detail has changed. */
+    /* The texture row of each fish is its index in the scene. A row is written again only if
+     * another fish or a fish that has grown needs the row. */
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
-        fish_poses_begin(&pass->poses[lod]);
+        fish_shapes_begin(&pass->shapes[lod]);
         for (uint32_t i = 0; i < scene->fish_count; i++) {
             if (pass->lod[pass->group[i]] == lod) {
-                fish_poses_set(&pass->poses[lod], &pass->rig, i, scene->fish[i].progress);
+                fish_shapes_set(&pass->shapes[lod], &pass->rig, i, scene->fish[i].progress);
             }
         }
-        fish_poses_end(&pass->poses[lod]);
+        fish_shapes_end(&pass->shapes[lod]);
     }
     glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
     gl_buffer_refill(GL_ARRAY_BUFFER, pass->instances, scene->fish_count * sizeof *pass->instances);
@@ -191,9 +182,8 @@ static void point_instances(const struct fish_pass *pass, uint32_t first, const 
     }
 }
 
-/* Draws one group of fish with `program`, which must be the current program of OpenGL. */
-static void draw_group(const struct fish_pass *pass, const struct fish_program *program,
-                       enum fish_group group, bool fins)
+/* Draws one group of fish with the current program of OpenGL. */
+static void draw_group(const struct fish_pass *pass, enum fish_group group, bool fins)
 {
     static const GLuint locations[] = { 9, 10, 11, 15, 14 };
     CORE_ASSERT(group < FISH_GROUP_COUNT);
@@ -203,8 +193,7 @@ static void draw_group(const struct fish_pass *pass, const struct fish_program *
     if (pass->count[group] == 0) {
         return;
     }
-    gl_bind_texture(2, GL_TEXTURE_2D, pass->poses[lod].texture);
-    glUniform1f(program->reach, mesh->reach);
+    gl_bind_texture(2, GL_TEXTURE_2D, pass->shapes[lod].texture);
     glBindVertexArray(mesh->vertex_array);
     point_instances(pass, pass->first[group], locations, 5);
     fish_mesh_draw(mesh, fins, (GLsizei)pass->count[group]);
@@ -214,27 +203,24 @@ void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group, bool 
                       const struct textures *textures, GLuint caustics)
 {
     const bool gulps = group == FISH_GULPING_FAR || group == FISH_GULPING;
-    const struct fish_program *const program = snouts  ? &pass->snout
-                                               : gulps ? &pass->sunk
-                                                       : &pass->body;
     CORE_ASSERT(gulps || !snouts);
-    glUseProgram(program->name);
+    glUseProgram(snouts ? pass->snout : gulps ? pass->sunk : pass->body);
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, textures->patterns);
     glEnable(GL_CULL_FACE);
     glEnable(GL_BLEND);
-    draw_group(pass, program, group, false);
+    draw_group(pass, group, false);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
 }
 
 void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint caustics)
 {
-    glUseProgram(pass->fin.name);
+    glUseProgram(pass->fin);
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
-    draw_group(pass, &pass->fin, group, true);
+    draw_group(pass, group, true);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }

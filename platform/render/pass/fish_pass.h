@@ -4,6 +4,7 @@
 
 #include "core/scene.h"
 #include "platform/render/fish_mesh.h"
+#include "platform/render/fish_shapes.h"
 #include "platform/render/frame_block.h"
 #include "platform/render/quality.h"
 #include "platform/render/textures.h"
@@ -26,23 +27,17 @@ enum fish_group {
 struct fish_instance {
     float place[4], right_phase[4], up_amplitude[4];
     float character[4];
-    /* Opening of the mouth, phase of the gulp (a gasp for air), and row of the fish's pose in the
-     * pose texture. */
+    /* Opening of the mouth, phase of the gulp (a gasp for air), and row of the fish in the texture
+     * of struct fish_shapes. */
     float gulp[3];
 };
 
-struct fish_program {
-    GLuint name;
-    /* Location of the shader uniform `reach`, which is the `reach` of struct fish_mesh. */
-    GLint reach;
-};
-
 struct fish_pass {
-    struct fish_program body, sunk, snout, fin;
+    GLuint body, sunk, snout, fin; /* Shader programs. */
     GLuint ring_program, rings;
     GLuint instance_buffer;
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
-    struct fish_poses poses[SPECIES_LOD_COUNT];
+    struct fish_shapes shapes[SPECIES_LOD_COUNT];
     struct morph_rig rig; /* Deformation graphs of the species, prepared for computing poses. */
     uint32_t first[FISH_GROUP_COUNT], count[FISH_GROUP_COUNT];
     /* Level of detail of each group: 0 is the near mesh, and 1 the far mesh. */

@@ -1,4 +1,4 @@
-/* test_morph_gl.c -- Compares the fish shapes that the vertex shader computes with those of
+/* test_morph_gl.c -- Compares the fish shapes that the vertex shaders compute or read with those of
  * morph_shape() on the CPU.
  *
  * The test covers every built-in species, both levels of detail, every key shape, nine ages between
@@ -16,6 +16,7 @@
 #include <SDL.h>
 
 #include "platform/render/fish_mesh.h"
+#include "platform/render/fish_shapes.h"
 #include "platform/render/gl_util.h"
 #include "shaders.h"
 #include "tests/unit/support/gl_context.h"
@@ -23,9 +24,13 @@
 #define BETWEEN 9u
 #define ERROR_MAX 1e-5f  /* Largest allowed position error, in body lengths. */
 #define NORMAL_MAX 1e-3f /* Largest allowed length of the difference of two unit normals. */
-/* Row of the pose table that the shader must read. A row other than 0 is used, so that a shader
+/* Row of the shape table that the shader must read. A row other than 0 is used, so that a shader
  * that ignores the row number is detected. */
 #define ROW 7u
+/* Largest allowed errors of a shape that is stored as 16-bit floats. Coordinates are below 1 body
+ * length, where two neighbouring 16-bit floats differ by at most 0.0005. */
+#define HALF_ERROR_MAX 5e-4f
+#define HALF_NORMAL_MAX 1e-3f
 
 struct vertex {
     float position[3], normal[3];
@@ -45,19 +50,31 @@ static const struct rig_case rig_cases[] = {
 
 static const char vertex_main[] = "out vec3 position;\n"
                                   "out vec3 normal;\n"
-                                  "uniform int row_of_poses;\n"
                                   "void main()\n"
                                   "{\n"
-                                  "    morph(row_of_poses, position, normal);\n"
+                                  "    morph(position, normal);\n"
                                   "    normal = normalize(normal);\n"
                                   "    gl_Position = vec4(position, 1.0);\n"
                                   "}\n";
+/* The code with which fish.vert.glsl reads the shape of a fish. */
+static const char shapes_main[] =
+    "uniform sampler2D shapes;\n"
+    "uniform int row;\n"
+    "out vec3 position;\n"
+    "out vec3 normal;\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 texel = ivec2(2 * gl_VertexID, row);\n"
+    "    position = texelFetch(shapes, texel, 0).xyz;\n"
+    "    normal = normalize(texelFetch(shapes, texel + ivec2(1, 0), 0).xyz);\n"
+    "    gl_Position = vec4(position, 1.0);\n"
+    "}\n";
 static const char fragment_main[] = "out vec4 color;\nvoid main() { color = vec4(1.0); }\n";
 
 static struct gl_status status;
 static struct fish_mesh mesh;
 static struct fish_mesh_memory memory;
-static struct fish_poses poses;
+static struct fish_shapes shapes;
 static struct morph_pose pose;
 static struct morph_rig rig;
 static struct straight_memory straight;
@@ -77,11 +94,11 @@ static int open_context(void **state)
     return 0;
 }
 
-static GLuint program(const char *defines)
+static GLuint program(const char *defines, const char *vertex_source)
 {
     static const char *const captured[2] = { "position", "normal" };
     const char *const vertex_parts[] = { "#version 300 es\n", defines, shader_common, shader_morph,
-                                         vertex_main };
+                                         vertex_source };
     const char *const fragment_parts[] = { "#version 300 es\nprecision highp float;\n",
                                            fragment_main };
     const GLuint vertex = gl_compile(&status, "morph", GL_VERTEX_SHADER, vertex_parts, 5);
@@ -94,7 +111,7 @@ static GLuint program(const char *defines)
     glDeleteShader(vertex);
     glDeleteShader(fragment);
     assert_string_equal(status.text, "");
-    gl_program_bind(made, "poses");
+    gl_program_bind(made, "shapes");
     return made;
 }
 
@@ -152,7 +169,6 @@ static void use(GLuint name, const struct species_mesh *source)
 {
     glUseProgram(name);
     glUniform1f(glGetUniformLocation(name, "reach"), source->reach);
-    glUniform1i(glGetUniformLocation(name, "row_of_poses"), (GLint)ROW);
 }
 
 static void worse(struct error *worst, struct error error)
@@ -161,9 +177,8 @@ static void worse(struct error *worst, struct error error)
     worst->normal = f_max(worst->normal, error.normal);
 }
 
-/* Compares one mesh at all ages. If `rows` is true, the pose is in row ROW of a texture. Otherwise
- * the pose is in a uniform block. */
-static struct error follow(const struct species *species, uint32_t lod, GLuint name, bool rows)
+/* Compares one mesh at all ages. */
+static struct error follow(const struct species *species, uint32_t lod, GLuint name)
 {
     struct error worst = { 0.0f, 0.0f };
     const struct species_mesh *const source = &species->lod[lod];
@@ -171,15 +186,8 @@ static struct error follow(const struct species *species, uint32_t lod, GLuint n
     fish_mesh_fill(&mesh, &memory, source, species->card.key_count);
     use(name, source);
     for (uint32_t step = 0; step <= steps; step++) {
-        const float progress = (float)step / (float)steps;
-        morph_pose(&rig, source, progress, &pose);
-        if (rows) {
-            fish_poses_begin(&poses);
-            fish_poses_set(&poses, &rig, ROW, progress);
-            fish_poses_end(&poses);
-        } else {
-            send_block(source->anchor_count);
-        }
+        morph_pose(&rig, source, (float)step / (float)steps, &pose);
+        send_block(source->anchor_count);
         worse(&worst, compare(source, species->card.key_count));
     }
     return worst;
@@ -194,48 +202,60 @@ static const struct species *species_of(const struct rig_case *of, uint32_t inde
     return species_table[index];
 }
 
-static void follow_all(bool rows)
+static void test_a_uniform_block_for_one_fish_gives_the_shape_of_the_cpu(void **state)
 {
+    (void)state;
     struct error worst = { 0.0f, 0.0f };
-    const GLuint block_program = program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n");
+    const GLuint name =
+        program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n", vertex_main);
     for (uint32_t i = 0; i < species_table_count; i++) {
         for (size_t k = 0; k < sizeof rig_cases / sizeof *rig_cases; k++) {
             const struct species *const species = species_of(&rig_cases[k], i);
-            char defines[96];
-            fish_poses_defines(defines, sizeof defines, species, false);
-            const GLuint name = rows ? program(defines) : block_program;
             morph_rig_init(&rig, &species->card, (enum graph_template)rig_cases[k].template_id);
             for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
-                fish_poses_open(&status, &poses, species, lod);
-                const struct error error = follow(species, lod, name, rows);
-                fish_poses_close(&poses);
+                const struct error error = follow(species, lod, name);
                 print_message("%-10s %-12s lod %u: %.1e of a length, normals %.1e\n",
                               species_table[i]->card.id, rig_cases[k].name, lod,
                               (double)error.position, (double)error.normal);
                 worse(&worst, error);
             }
-            if (rows) {
-                glDeleteProgram(name);
-            }
         }
     }
-    glDeleteProgram(block_program);
+    glDeleteProgram(name);
     print_message("worst: %.2e of a length, normals %.2e\n", (double)worst.position,
                   (double)worst.normal);
     assert_true(worst.position <= ERROR_MAX);
     assert_true(worst.normal <= NORMAL_MAX);
 }
 
-static void test_a_texel_row_per_fish_gives_the_shape_of_the_cpu(void **state)
+/* The wakin (a goldfish) at all ages, as the tank draws its fish. */
+static void test_a_texture_row_for_each_fish_gives_the_shape_of_the_cpu(void **state)
 {
     (void)state;
-    follow_all(true);
-}
-
-static void test_a_uniform_block_for_one_fish_gives_the_shape_of_the_cpu(void **state)
-{
-    (void)state;
-    follow_all(false);
+    struct error worst = { 0.0f, 0.0f };
+    const struct species *const species = &species_wakin;
+    const GLuint name = program("", shapes_main);
+    morph_rig_init(&rig, &species->card, TEMPLATE_OWN);
+    glUseProgram(name);
+    glUniform1i(glGetUniformLocation(name, "row"), (GLint)ROW);
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        const struct species_mesh *const source = &species->lod[lod];
+        fish_shapes_open(&status, &shapes, source);
+        for (uint32_t step = 0; step <= 40u; step++) {
+            const float progress = (float)step / 40.0f;
+            fish_shapes_begin(&shapes);
+            fish_shapes_set(&shapes, &rig, ROW, progress);
+            fish_shapes_end(&shapes);
+            morph_pose(&rig, source, progress, &pose);
+            worse(&worst, compare(source, species->card.key_count));
+        }
+        fish_shapes_close(&shapes);
+    }
+    glDeleteProgram(name);
+    print_message("worst: %.2e of a length, normals %.2e\n", (double)worst.position,
+                  (double)worst.normal);
+    assert_true(worst.position <= HALF_ERROR_MAX);
+    assert_true(worst.normal <= HALF_NORMAL_MAX);
 }
 
 /* The shader supports eight key shapes, but no built-in species has more than five. The test makes
@@ -264,7 +284,8 @@ static void test_eight_keys_are_blended_each_by_its_own_weight(void **state)
         free[i].anchor = ANCHOR_NONE;
     }
     eight.vertices = free;
-    const GLuint name = program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n");
+    const GLuint name =
+        program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n", vertex_main);
     fish_mesh_fill(&mesh, &memory, &eight, MORPH_KEY_MAX);
     use(name, &eight);
     for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
@@ -287,7 +308,8 @@ static void test_the_test_detects_weights_of_eight_bits(void **state)
 {
     (void)state;
     const struct species *const species = species_table[0];
-    const GLuint name = program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n");
+    const GLuint name =
+        program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n", vertex_main);
     fish_mesh_fill(&mesh, &memory, &species->lod[0], species->card.key_count);
     use(name, &species->lod[0]);
     morph_rig_init(&rig, &species->card, TEMPLATE_PAIRWISE);
@@ -308,7 +330,8 @@ static void test_the_test_detects_an_anchor_error_of_a_thousandth(void **state)
 {
     (void)state;
     const struct species *const species = species_table[0];
-    const GLuint name = program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n");
+    const GLuint name =
+        program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n", vertex_main);
     fish_mesh_fill(&mesh, &memory, &species->lod[0], species->card.key_count);
     use(name, &species->lod[0]);
     morph_rig_init(&rig, &species->card, TEMPLATE_OWN);
@@ -321,33 +344,33 @@ static void test_the_test_detects_an_anchor_error_of_a_thousandth(void **state)
     glDeleteProgram(name);
 }
 
-static void test_the_pose_of_a_fish_that_has_not_grown_is_not_recomputed(void **state)
+static void test_the_shape_of_a_fish_that_has_not_grown_is_not_recomputed(void **state)
 {
     (void)state;
-    fish_poses_open(&status, &poses, species_table[0], 0);
-    morph_rig_init(&rig, &species_table[0]->card, TEMPLATE_OWN);
+    fish_shapes_open(&status, &shapes, &species_wakin.lod[0]);
+    morph_rig_init(&rig, &species_wakin.card, TEMPLATE_OWN);
     for (uint32_t frame = 0; frame < 2; frame++) {
-        fish_poses_begin(&poses);
+        fish_shapes_begin(&shapes);
         for (uint32_t row = 0; row < 40; row++) {
             const float grown = row == ROW ? 0.1f * (float)frame : 0.0f;
-            fish_poses_set(&poses, &rig, row, 0.02f * (float)row + grown);
+            fish_shapes_set(&shapes, &rig, row, 0.02f * (float)row + grown);
         }
-        fish_poses_end(&poses);
-        assert_int_equal(poses.posed_count, frame == 0 ? 40 : 1);
+        fish_shapes_end(&shapes);
+        assert_int_equal(shapes.written_count, frame == 0 ? 40 : 1);
     }
-    fish_poses_close(&poses);
+    fish_shapes_close(&shapes);
     assert_int_equal(glGetError(), GL_NO_ERROR);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_texel_row_per_fish_gives_the_shape_of_the_cpu),
+        cmocka_unit_test(test_a_texture_row_for_each_fish_gives_the_shape_of_the_cpu),
         cmocka_unit_test(test_a_uniform_block_for_one_fish_gives_the_shape_of_the_cpu),
         cmocka_unit_test(test_eight_keys_are_blended_each_by_its_own_weight),
         cmocka_unit_test(test_the_test_detects_weights_of_eight_bits),
         cmocka_unit_test(test_the_test_detects_an_anchor_error_of_a_thousandth),
-        cmocka_unit_test(test_the_pose_of_a_fish_that_has_not_grown_is_not_recomputed),
+        cmocka_unit_test(test_the_shape_of_a_fish_that_has_not_grown_is_not_recomputed),
     };
     return cmocka_run_group_tests(tests, open_context, NULL);
 }

@@ -1,6 +1,5 @@
-// Floor and walls of the tank, a unit box that is scaled to the tank's size.
+// The walls of the tank, a unit box that is scaled to the tank's size.
 layout(location = 0) in vec3 corner;  // x, z: -1 to 1. y: -1 at the floor, 0 at the water surface.
-layout(location = 1) in vec3 normal;
 out vec3 world;
 
 void main()
