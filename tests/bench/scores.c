@@ -8,6 +8,7 @@
  * seven championships caught 35 to 87 fish, and the record is 107.
  *
  * Returns exit status 1 if a goal is missed. */
+#include <stdbool.h>
 #include <stdio.h>
 
 #include "core/scene.h"
@@ -30,7 +31,7 @@ static const struct goal {
 };
 #define GOAL_COUNT (sizeof goals / sizeof goals[0])
 
-static int is_met(const struct goal *goal, const struct summary *found)
+static bool is_met(const struct goal *goal, const struct summary *found)
 {
     return found->median >= goal->median_min && found->median <= goal->median_max &&
            (goal->max_below == 0 || found->max < goal->max_below);

@@ -108,10 +108,10 @@ static void evaluate(const struct league *league, struct trial *trial)
     trial->verdict = statistics_verdict(&trial->found);
 }
 
-/* Returns 1 if enough required habits pay and none of them is clearly worse. With at least
+/* Returns true if enough required habits pay and none of them is clearly worse. With at least
  * SEEDS_ENOUGH seeds, all required habits must pay, each at the 5 % level. With fewer seeds,
  * PAYS_MIN habits must pay, because few seeds may not show a small effect. */
-static int all_is_well(const struct trial *trials, uint32_t seeds)
+static bool all_is_well(const struct trial *trials, uint32_t seeds)
 {
     uint32_t required = 0, paid = 0, wrong_way = 0, plainly_wrong = 0;
     for (size_t i = 0; i < EXPERIMENT_COUNT; i++) {

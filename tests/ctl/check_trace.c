@@ -7,6 +7,7 @@
  * deep these boxes overlap each other, and how far they are beyond a wall or the floor. Two boxes
  * are disjoint if a plane separates their corners, which is tested along several axes. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,7 +32,7 @@ struct verdict {
 
 static struct corners fish[FISH_MAX];
 
-static int is_one_of(const char *word, const char *list)
+static bool is_one_of(const char *word, const char *list)
 {
     const char *found = strstr(list, word);
     return found && strchr(" ", found[strlen(word)]);

@@ -2,6 +2,7 @@
  * declares. */
 #include "eye.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include <X11/Xutil.h>
@@ -24,7 +25,7 @@ int eye_open(struct eye *eye, const char *window)
 
 /* Returns 1 for a gold, orange or red pixel, as goldfish have. Water, reflections, white and the
  * pink of a ring do not count. */
-static int is_warm(const uint8_t *bgr)
+static bool is_warm(const uint8_t *bgr)
 {
     return bgr[2] > 110 && bgr[2] > bgr[1] + 30 && bgr[2] > bgr[0] + 50 && bgr[1] + 15 > bgr[0];
 }

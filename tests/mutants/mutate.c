@@ -10,6 +10,7 @@
  * space on both sides, and unary operators do not. Assertions are not mutated, because a correct
  * program never makes them fail. */
 #include <ctype.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,7 +52,7 @@ static void add(struct site site)
     scan.site_count++;
 }
 
-static int is_word(char c)
+static bool is_word(char c)
 {
     return isalnum((unsigned char)c) || c == '_';
 }
@@ -205,7 +206,7 @@ static int starts_with_word(size_t at, const char *word)
     return strncmp(scan.code + at, word, length) == 0 && !is_word(scan.code[at + length]);
 }
 
-static int is_keyword(size_t at)
+static bool is_keyword(size_t at)
 {
     static const char *const words[] = {
         "if",     "for",     "while",  "do",      "switch", "case",     "default",
@@ -215,10 +216,10 @@ static int is_keyword(size_t at)
     };
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         if (starts_with_word(at, words[i])) {
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
 /* If the statement that begins at `at` is a call or an assignment, adds a site that deletes it up

@@ -2,6 +2,7 @@
  * checks the loaded state. */
 #include "tests/power/cutter.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -53,15 +54,15 @@ static int wake(const char *folder, struct persistent_state *memory,
 
 /* Returns 1 if the round is on a leaderboard. Only such a round must have a replay, because the
  * store may delete all other replays. */
-static int is_ranked(const struct ranking *ranking, uint32_t round_id)
+static bool is_ranked(const struct ranking *ranking, uint32_t round_id)
 {
     for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
         if (ranking_place(ranking, MODE_FESTIVAL, (enum rank_period)period, round_id, 0) <
             RANK_ROWS) {
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
 /* Compares the ticket counts of the ledger and the dispenser. The ledger must have removed each
@@ -141,7 +142,7 @@ static void cut_again(const struct cutter *cutter, struct tally *tally, const ch
 
 /* ---- Simulating all power cuts -------------------------------------------------------------- */
 
-int cutter_is_point(const struct tape_op *op)
+bool cutter_is_point(const struct tape_op *op)
 {
     return op->kind < TAPE_KEPT;
 }

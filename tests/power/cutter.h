@@ -6,6 +6,7 @@
 #ifndef KINGYO_TESTS_POWER_CUTTER_H
 #define KINGYO_TESTS_POWER_CUTTER_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "tests/power/ledger_totals.h"
@@ -65,7 +66,7 @@ void tally_add(struct tally *sum, const struct tally *part);
 
 /* Returns 1 if the power is cut after this operation. A mark changes no file, so the function
  * returns 0 for it. */
-int cutter_is_point(const struct tape_op *op);
+bool cutter_is_point(const struct tape_op *op);
 
 /* Simulates all cuts in several processes and adds their counts to `sum`. Prints the progress if
  * the output is a terminal. Returns 0, or -1 if a process died. */

@@ -4,6 +4,7 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -71,7 +72,7 @@ static void set_name(struct disk *disk, const char *name, uint32_t file)
     disk->names[at].file = file;
 }
 
-int disk_is_of_names(const struct tape_op *op)
+bool disk_is_of_names(const struct tape_op *op)
 {
     return op->kind == TAPE_CREATE || op->kind == TAPE_RENAME || op->kind == TAPE_UNLINK;
 }
@@ -86,7 +87,7 @@ void disk_apply_names(struct disk *disk, const struct tape_op *op)
 
 /* ---- File contents -------------------------------------------------------------------------- */
 
-int disk_is_of_bytes(const struct tape_op *op)
+bool disk_is_of_bytes(const struct tape_op *op)
 {
     return op->kind == TAPE_WRITE || op->kind == TAPE_TRUNCATE;
 }
@@ -164,7 +165,7 @@ uint32_t disk_put_folder(struct disk *disk, const char *folder,
     return count;
 }
 
-static int is_in(const struct tape_op *op, const char *folder)
+static bool is_in(const struct tape_op *op, const char *folder)
 {
     const char *slash = strchr(op->name, '/');
     const size_t length = slash ? (size_t)(slash - op->name) : 0;

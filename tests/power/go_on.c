@@ -2,6 +2,7 @@
  * that are added. */
 #include "tests/power/go_on.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -26,7 +27,7 @@ static uint32_t credits(const struct balance *balance)
     return balance->paid + balance->service;
 }
 
-static int is_reported_back(const struct ledger_totals *before, const struct ledger_entry *entry)
+static bool is_reported_back(const struct ledger_totals *before, const struct ledger_entry *entry)
 {
     const uint8_t open = before->balance.open, kind = open & PAYMENT_KIND_MASK;
     const uint32_t count =
@@ -38,7 +39,7 @@ static int is_reported_back(const struct ledger_totals *before, const struct led
 /* Returns 1 if `entry` ends the interrupted round without a refund, as required if its credit was
  * already spent (PAYMENT_SPENT). The entry must then have the catch and the tickets that were
  * stored for the round. */
-static int is_kept(const struct ledger_totals *before, const struct ledger_entry *entry)
+static bool is_kept(const struct ledger_totals *before, const struct ledger_entry *entry)
 {
     return (before->balance.open & PAYMENT_SPENT) && before->stand.value >> 16 != 0 &&
            entry->kind == LEDGER_ROUND && entry->detail == ROUND_CUT_OFF &&

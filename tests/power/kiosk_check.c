@@ -10,6 +10,7 @@
  *
  * Prints the counts of cuts, entries, losses, duplicates, coins and failed calls. Returns exit
  * status 1 if an entry was lost or duplicated, or if a state cannot be opened. */
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,7 +49,7 @@ static int64_t query_number(sqlite3 *db, const char *query)
  * the audits. `coins` is the number of inserted coins. Each coin is one credit, so neither the paid
  * credits nor the coins in the entries may exceed `coins`. The first id may be above 1 if the kiosk
  * started without a store. */
-static int is_sound(const char *folder, uint32_t coins)
+static bool is_sound(const char *folder, uint32_t coins)
 {
     char path[600], query[200];
     sqlite3 *db = NULL;

@@ -2,6 +2,7 @@
  * compares them with the totals that the store loads. */
 #include "tests/power/ledger_totals.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -64,7 +65,7 @@ static void read_integrity(sqlite3 *db, char out[64], int *code)
     sqlite3_finalize(statement);
 }
 
-static int is_replay_of(uint32_t round_id, const void *bytes, size_t size)
+static bool is_replay_of(uint32_t round_id, const void *bytes, size_t size)
 {
     static uint8_t whole[HOUR_REPLAY_MAX];
     const size_t length = hour_replay(round_id, whole);

@@ -13,6 +13,7 @@
  *
  * With --deaf no sync reaches the disk or fails, so that the test must find losses and too few
  * failed calls. Returns exit status 1 if any check fails. */
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -91,7 +92,7 @@ static int add_up(void)
 /* Checks that no file operation is missing on the tape. The recorded operations, applied to an
  * empty disk, must give the same files as the run. Otherwise all later checks would be
  * meaningless. */
-static int tape_is_whole(const char *folder, const char *copy)
+static bool tape_is_whole(const char *folder, const char *copy)
 {
     struct disk disk, is, should;
     static char names[DISK_NAMES_MAX][TAPE_NAME_SIZE], others[DISK_NAMES_MAX][TAPE_NAME_SIZE];

@@ -9,6 +9,7 @@
 #include <pthread.h>
 #include <stdarg.h>
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -181,7 +182,7 @@ static uint32_t file_of(int fd)
 
 /* Returns 1 if `fd` is the index (-shm file) of a write-ahead log. Writes to the index are not
  * recorded, but they may fail according to a plan. */
-static int is_log_index(int fd)
+static bool is_log_index(int fd)
 {
     return running && fd >= 0 && fd < FD_MAX && is_index[fd];
 }
@@ -265,7 +266,7 @@ int tape_strikes(enum fault_call call)
     return error;
 }
 
-static int is_refused(int fd)
+static bool is_refused(int fd)
 {
     const int mood = atomic_load(&refusal);
     const int takes_room = running && fd >= 0 && fd < FD_MAX && is_index[fd] && mood == ENOSPC;

@@ -1,6 +1,7 @@
 /* shot_options.c -- implementation of shot_options.h: parses the command line of `make shot`. */
 #include "tests/render/shot_options.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -161,7 +162,7 @@ struct shot_options shot_options_parse(int argc, char **argv)
     return o;
 }
 
-uint8_t shot_is_upright(const struct shot_options *options)
+bool shot_is_upright(const struct shot_options *options)
 {
     const float width = (float)options->width, height = (float)options->height;
     return options->rotation & 1u ? height < POINTER_UPRIGHT_ASPECT * width

@@ -2,6 +2,7 @@
 #ifndef KINGYO_TESTS_RENDER_SHOT_OPTIONS_H
 #define KINGYO_TESTS_RENDER_SHOT_OPTIONS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/input.h"
@@ -55,6 +56,6 @@ struct shot_options {
 struct shot_options shot_options_parse(int argc, char **argv);
 
 /* Returns 1 if the picture is upright (portrait format) on its screen. */
-uint8_t shot_is_upright(const struct shot_options *options);
+bool shot_is_upright(const struct shot_options *options);
 
 #endif

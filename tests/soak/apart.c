@@ -3,6 +3,7 @@
 #include "tests/soak/apart.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 /* Side of a grid cell. Two touching fish of 8 cm are never farther apart than this, so only
@@ -215,7 +216,7 @@ static void check_hull(struct apart *apart, const struct bowl *bowl, const struc
 
 /* ---- Speeds and turns of the fish ----------------------------------------------------------- */
 
-static int is_calm(const struct fish *fish)
+static bool is_calm(const struct fish *fish)
 {
     return fish->gait == GAIT_REST || fish->gait == GAIT_SWIM;
 }
@@ -277,7 +278,7 @@ void apart_init(struct apart *apart)
     memset(apart, 0, sizeof *apart);
 }
 
-static int is_loose(const struct fish *fish)
+static bool is_loose(const struct fish *fish)
 {
     return fish->gait == GAIT_HELD && fish->holder >= POI_MAX;
 }

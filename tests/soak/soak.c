@@ -13,6 +13,7 @@
  *
  * Returns exit status 1 if an overlap was deeper than 0.5 mm, or if the fish did not move
  * naturally. */
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -73,7 +74,7 @@ static void run(const struct density *density, int dragged, uint32_t seconds, ui
     }
 }
 
-static int is_well(void)
+static bool is_well(void)
 {
     const float calm_rad_s = apart.yaw_rate_max_rad_s, turns_s = apart_reversals_per_s(&apart);
     return !cells_missed && apart_deepest_m(&apart) <= APART_DEEP_M &&

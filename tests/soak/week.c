@@ -11,6 +11,7 @@
  * Returns exit status 1 if the memory in use grew after the first quarter, if a tick was dropped,
  * or if a coin is missing from the store. */
 #include <malloc.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,7 +59,7 @@ static uint32_t hour_of_day(void)
     return (uint32_t)(clock_of_week.now_ns / SIXTY_FRAMES_NS / 3600u) % 24u;
 }
 
-static int is_open(void)
+static bool is_open(void)
 {
     return hour_of_day() >= OPEN_HOUR && hour_of_day() < CLOSE_HOUR;
 }

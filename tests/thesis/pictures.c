@@ -4,6 +4,7 @@
  * FOLDER/pictures.tsv: number, file, time, description and options. `kingyoctl tank` runs the same
  * tank with these options, so that each picture can be examined there. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -102,7 +103,7 @@ static double apart_m(void)
     return (double)v3_length(v3_sub(lab.tank.fish[0].position_m, lab.tank.fish[1].position_m));
 }
 
-static int is_of_its_kind(const struct encounter *wanted)
+static bool is_of_its_kind(const struct encounter *wanted)
 {
     const struct fish *fish = &lab.tank.fish[0];
     return avoids(0) && fish->avoid_kind == wanted->kind && fish->avoid_turn * wanted->turn > 0.0f;

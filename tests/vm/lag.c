@@ -7,6 +7,7 @@
  * result. Prints the figures in one line. Exit code 0 means that at least half of the sent reports
  * were used, and that the median delay was at most one and a half frames. Exit code 1 means that
  * one of these conditions failed or that there is no such poi. */
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -59,7 +60,7 @@ static struct usb_event_thread *start(struct hal *hal, const struct usb_key *key
 
 /* Waits until the device has a slot. The kiosk too reads reports only from a device that has a
  * slot. */
-static int is_found(const struct hal *hal)
+static bool is_found(const struct hal *hal)
 {
     const uint64_t end_ns = hal->clock.ops->now_ns(hal->clock.self) + FIND_NS;
     uint64_t now_ns;

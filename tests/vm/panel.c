@@ -17,6 +17,7 @@
 #include <pthread.h>
 #include <sched.h>
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -90,7 +91,7 @@ static void pulse(struct pulses *pulses, const char *wire, uint32_t count)
 }
 
 /* Returns 1 if the line is high. Returns 0 if the line is low or its chip does not exist. */
-static int is_high(const char *path)
+static bool is_high(const char *path)
 {
     char value = '0';
     const int fd = open(path, O_RDONLY | O_CLOEXEC);

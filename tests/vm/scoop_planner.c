@@ -8,6 +8,7 @@
  * of `kingyo-poi run --script`. Exit code 0 means that a fish was landed, 1 means a timeout, and 65
  * that another core wrote the recording. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -195,7 +196,7 @@ static int send(const struct plan *way, const char *folder)
 }
 
 /* Returns 1 if a round is running without a pause and the poi is connected. */
-static int can_play(void)
+static bool can_play(void)
 {
     const struct game *game = &twin.core.game;
     return game->phase == PHASE_ROUND && !game->paused && twin.input.poi[0].link == POI_SOURCE_LIVE;

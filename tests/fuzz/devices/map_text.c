@@ -1,6 +1,7 @@
 /* map_text.c -- fuzz target: an arbitrary line as a stored mapping of a controller. The parser must
  * either reject the line with one sentence, or read a mapping that does not change when it is
  * written and read again. */
+#include <stdbool.h>
 #include <string.h>
 
 #include "drivers/hid/hid_mapping.h"
@@ -12,7 +13,7 @@ static void hold_sentence(const char error[HAL_TEXT_SIZE])
     HOLD(length > 0 && length < HAL_TEXT_SIZE);
 }
 
-static int is_same(const struct hid_binding *a, const struct hid_binding *b)
+static bool is_same(const struct hid_binding *a, const struct hid_binding *b)
 {
     return a->role == b->role && a->manner == b->manner && a->report_id == b->report_id &&
            a->bit_offset == b->bit_offset && a->bit_size == b->bit_size &&

@@ -1,6 +1,7 @@
 /* test_setting_text.c -- Tests how settings are converted to text and back, as in kingyo.conf. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -11,7 +12,7 @@
 #include "core/core.h"
 #include "platform/setting_text.h"
 
-static int is_for_files(uint32_t id)
+static bool is_for_files(uint32_t id)
 {
     return setting_section(settings_entry(id)->group) != NULL;
 }

@@ -3,6 +3,7 @@
  * machine. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -192,7 +193,7 @@ static void test_a_quarantined_file_is_counted_until_acknowledged(void **state)
     assert_int_equal(look(&restarted).quarantined, 4);
 }
 
-static int is_reported(struct system_health *machine, uint32_t aside)
+static bool is_reported(struct system_health *machine, uint32_t aside)
 {
     struct scene_machine status = { .watch = WATCH_OK };
     /* The interval of the checks is longer than the 5 s of this loop. The test therefore passes
@@ -204,7 +205,7 @@ static int is_reported(struct system_health *machine, uint32_t aside)
         }
         usleep(10000);
     }
-    return 0;
+    return false;
 }
 
 static void test_the_health_thread_does_all_file_access_of_the_frame_loop(void **state)

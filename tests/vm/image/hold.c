@@ -6,6 +6,7 @@
  * would stop the other threads too. Exit code 0 means that the process has ended, and 74 that it
  * could not be stopped. */
 #include <signal.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/ptrace.h>
@@ -13,18 +14,18 @@
 
 /* Returns 1 if the process has ended or has received SIGABRT, SIGKILL or SIGTERM. After one of
  * these signals the stopped thread is released, so that the signal can end the process. */
-static int is_over(pid_t pid)
+static bool is_over(pid_t pid)
 {
     int status;
     if (waitpid(pid, &status, __WALL) != pid || WIFEXITED(status) || WIFSIGNALED(status)) {
-        return 1;
+        return true;
     }
     const int number = WIFSTOPPED(status) && status >> 16 == 0 ? WSTOPSIG(status) : 0;
     if (number == SIGABRT || number == SIGKILL || number == SIGTERM) {
         ptrace(PTRACE_DETACH, pid, NULL, number);
-        return 1;
+        return true;
     }
-    return 0;
+    return false;
 }
 
 int main(int argc, char **argv)

@@ -6,6 +6,7 @@
  * the bus events. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -117,27 +118,27 @@ static void frame(void)
     assert_int_equal(kiosk_frame(&stall.kiosk, &stall.hal), KIOSK_RUNS);
 }
 
-static int sits_on_usb(void)
+static bool is_on_usb(void)
 {
     return stall.kiosk.input.poi[0].link == POI_SOURCE_LIVE && stall.kiosk.input.poi[0].has_wrist;
 }
 
-static int is_lost(void)
+static bool is_lost(void)
 {
     return stall.kiosk.input.poi[0].link == POI_SOURCE_LOST;
 }
 
-static int is_in_round(void)
+static bool is_in_round(void)
 {
     return stall.kiosk.core.game.phase == PHASE_ROUND;
 }
 
-static int is_held(void)
+static bool is_held(void)
 {
     return player_has_poi(&stall.kiosk.core.world, 0);
 }
 
-static void until(int (*holds)(void))
+static void until(bool (*holds)(void))
 {
     for (uint32_t i = 0; i < FRAMES_MAX && !holds(); i++) {
         frame();
@@ -162,7 +163,7 @@ static void test_a_new_poi_gets_the_first_slot_of_the_mouse(void **state)
     /* The mouse controls the poi of slot 0. */
     assert_int_equal(stall.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
     plug();
-    until(sits_on_usb);
+    until(is_on_usb);
     /* The mouse has moved to slot 1. The slot has no input yet, because the mouse was not moved
      * since. */
     assert_int_equal(stall.kiosk.input.poi[1].link, POI_SOURCE_ABSENT);
@@ -186,7 +187,7 @@ static void test_a_usb_poi_gets_force_output(void **state)
 {
     (void)state;
     plug();
-    until(sits_on_usb);
+    until(is_on_usb);
     for (uint32_t i = 0; i < FRAMES_MAX && usb_sim_seen(stall.poi).outs == 0; i++) {
         frame();
     }
@@ -213,7 +214,7 @@ static void lose_and_find(enum usb_sim_unplug_order how)
     }
     const uint64_t plugged_ns = clock_device().ops->now_ns(NULL);
     plug();
-    until(sits_on_usb);
+    until(is_on_usb);
     const uint64_t back_ns = clock_device().ops->now_ns(NULL) - plugged_ns;
     until(is_held);
     print_message("back in the input after %.1f ms\n", (double)back_ns * 1e-6);
@@ -225,14 +226,14 @@ static void test_a_round_pauses_while_the_poi_is_unplugged(void **state)
 {
     (void)state;
     plug();
-    until(sits_on_usb);
+    until(is_on_usb);
     begin_round();
     for (uint32_t i = 0; i < 8; i++) {
         lose_and_find((enum usb_sim_unplug_order)(i % 4u));
     }
 }
 
-static int mouse_sits(void)
+static bool has_mouse(void)
 {
     return stall.kiosk.input.poi[0].link == POI_SOURCE_LIVE && !stall.kiosk.input.poi[0].has_wrist;
 }
@@ -243,7 +244,7 @@ static void test_the_mouse_gets_the_slot_of_an_absent_poi_in_the_next_game(void 
 {
     (void)state;
     plug();
-    until(sits_on_usb);
+    until(is_on_usb);
     begin_round();
     unplug(USB_SIM_GONE);
     until(is_lost);
@@ -254,7 +255,7 @@ static void test_the_mouse_gets_the_slot_of_an_absent_poi_in_the_next_game(void 
     /* Sets attract mode directly, because the kiosk would return to it only after one minute. */
     stall.kiosk.core.game.phase = PHASE_ATTRACT;
     stall.kiosk.output.phase = PHASE_ATTRACT;
-    until(mouse_sits);
+    until(has_mouse);
 }
 
 static void hint_is(const char *text)

@@ -4,6 +4,7 @@
  * This file is built for four lanes. test_simd_wide.c builds it again for eight lanes. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -183,14 +184,14 @@ static void test_quads_of_records_transpose_to_columns_and_back(void **state)
 }
 
 #ifdef SIMD_WIDE
-static int machine_has_it(void)
+static bool machine_has_it(void)
 {
     return __builtin_cpu_supports("avx2");
 }
 #else
-static int machine_has_it(void)
+static bool machine_has_it(void)
 {
-    return 1;
+    return true;
 }
 #endif
 

@@ -5,6 +5,7 @@
  * ring. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -28,7 +29,7 @@ static struct output output;
 static struct bot bots[POI_MAX];
 static struct poi_fixture fixture;
 
-static int is_jammed(const struct poi *poi)
+static bool is_jammed(const struct poi *poi)
 {
     const vec3 made_m = v3_sub(poi->position_m, poi->before_m);
     return poi->hand_m.y > poi->position_m.y + PULL_M && v3_length(made_m) < STILL_M;

@@ -3,6 +3,7 @@
 #include <dirent.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -91,17 +92,17 @@ static void test_the_mapping_follows_from_the_descriptor(void **state)
     }
 }
 
-static int is_keyboard(const char *name)
+static bool is_keyboard(const char *name)
 {
     static const char *const keyboards[] = {
         "012", "036", "041", "151", "175", "207", "209", "214"
     };
     for (uint32_t i = 0; i < sizeof keyboards / sizeof keyboards[0]; i++) {
         if (strncmp(name, keyboards[i], 3) == 0) {
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
 /* Calls `visit` for the report descriptor of every device in the folder CORPUS. Returns the number

@@ -1,6 +1,7 @@
 /* test_touch_sdl.c -- tests how the pointer driver handles SDL's touch and mouse events. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -85,7 +86,7 @@ static vec3 position_after_ms(uint64_t ms)
     return samples[count - 1].target.position_m;
 }
 
-static int is_near(vec3 a, vec3 b)
+static bool is_near(vec3 a, vec3 b)
 {
     return f_abs(a.x - b.x) < 0.01f && f_abs(a.z - b.z) < 0.01f;
 }

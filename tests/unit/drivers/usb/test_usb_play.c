@@ -3,6 +3,7 @@
  * simulated. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -95,7 +96,7 @@ static void frame(void)
     kiosk_frame(&stall.kiosk, &stall.hal);
 }
 
-static int frames_until(int (*is_so)(void))
+static int frames_until(bool (*is_so)(void))
 {
     for (uint32_t i = 0; i < FRAMES_MAX; i++) {
         if (is_so()) {
@@ -109,23 +110,23 @@ static int frames_until(int (*is_so)(void))
     return 0;
 }
 
-static int is_round(void)
+static bool is_round(void)
 {
     return stall.kiosk.core.game.phase == PHASE_ROUND;
 }
 
-static int is_paused(void)
+static bool is_paused(void)
 {
     return stall.kiosk.scene.paused || !is_round();
 }
 
-static int runs(void)
+static bool runs(void)
 {
     return is_round() && !stall.kiosk.scene.paused &&
            stall.kiosk.samplers[0].link == POI_SOURCE_LIVE;
 }
 
-static int is_attract(void)
+static bool is_attract(void)
 {
     return stall.kiosk.core.game.phase == PHASE_ATTRACT &&
            stall.kiosk.samplers[0].link == POI_SOURCE_LIVE;

@@ -8,6 +8,7 @@
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -169,7 +170,7 @@ static int close_stall(void **state)
     return rmdir(rig.folder);
 }
 
-static int is_round_saved(void)
+static bool is_round_saved(void)
 {
     const uint32_t id = newest_record(&rig.kiosk.output)->id;
     return id != 0 && rig.hal.storage.ledger.ops->committed_id(rig.hal.storage.ledger.self) >= id;

@@ -3,6 +3,7 @@
  * The amplitude is measured in pictures that are drawn from above. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -86,7 +87,7 @@ static void stage(float phase_rad, float amplitude, float bend_rad)
 
 /* Returns 1 if the pixel is clearly redder than in the picture without a fish. A shadow is not
  * redder. */
-static int is_fish(uint32_t x, uint32_t y)
+static bool is_fish(uint32_t x, uint32_t y)
 {
     const size_t at = 3u * ((size_t)y * SIDE_PX + x);
     return pixels[at] > empty[at] + 14;

@@ -2,6 +2,7 @@
  * and must not stop the kiosk. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -203,7 +204,7 @@ static void test_sqlite_has_a_hard_memory_limit(void **state)
     assert_true(sqlite3_memory_highwater(0) < STORAGE_HEAP_MAX / 8);
 }
 
-static int has_replay(const struct fixture *fixture, uint32_t round_id)
+static bool has_replay(const struct fixture *fixture, uint32_t round_id)
 {
     return fixture->device.replays.ops->has(fixture->device.replays.self, round_id);
 }

@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -86,7 +87,7 @@ static uint32_t saved_id(void)
     return device.ledger.ops->committed_id(device.ledger.self);
 }
 
-static int is_well(void)
+static bool is_well(void)
 {
     return device.ledger.ops->is_healthy(device.ledger.self);
 }

@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -37,7 +38,7 @@ static const char *moving_at_write;
 static uint64_t written; /* Number of bytes written to the file `watched`. */
 static const char *watched;
 
-static int is_of(int fd, const char *path)
+static bool is_of(int fd, const char *path)
 {
     struct stat one, other;
     return path && (!path[0] || (fstat(fd, &one) == 0 && stat(path, &other) == 0 &&

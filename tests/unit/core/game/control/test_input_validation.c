@@ -3,6 +3,7 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -162,7 +163,7 @@ static void test_a_missed_report_is_valid_and_a_larger_jump_is_not(void **state)
 }
 
 /* Returns 1 if the input stays valid while its position moves at `pace_m_s` for half a second. */
-static int is_valid_at(float pace_m_s)
+static bool is_valid_at(float pace_m_s)
 {
     int believed = 1;
     set_up(NULL);
@@ -175,7 +176,7 @@ static int is_valid_at(float pace_m_s)
 
 /* Returns 1 if the input stays valid although some frames get no report and the next frame gets
  * two. This happens if a controller sends 60 reports per second to 60 frames per second. */
-static int is_valid_with_uneven_reports(float pace_m_s)
+static bool is_valid_with_uneven_reports(float pace_m_s)
 {
     int believed = 1;
     set_up(NULL);

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -241,7 +242,7 @@ static float damage_sum(void)
 
 /* Returns 1 if the fish lies on wet paper for so long that its slaps may tear the paper, even
  * without a controller fault. */
-static int may_slap(const struct scene_of *of)
+static bool may_slap(const struct scene_of *of)
 {
     const int is_long = of->fault == STUCK || of->fault == LATE_BURST || of->fault == SILENCE ||
                         of->device == POINTER;

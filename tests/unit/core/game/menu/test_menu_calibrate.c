@@ -3,6 +3,7 @@
  * or absent. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -111,7 +112,7 @@ static void lead_through(struct poi_target water)
     hold_true(water, CALIBRATE_STILL_TICKS + 4u);
 }
 
-static int is_set(void)
+static bool is_set(void)
 {
     return input_calibration_is_set(&stall.core.config.persistent.settings, 0);
 }

@@ -1,5 +1,7 @@
 /* test_landing.c -- checks how fish land in a bowl, for which player they count, and which fouls
  * are detected. */
+#include <stdbool.h>
+
 #include "core/poi/catch/capture.h"
 #include "tests/unit/support/poi_fixture.h"
 
@@ -125,7 +127,7 @@ static void test_a_fish_from_a_ring_in_the_water_is_poured(void **state)
  * ring is level and at the distance `gap_m` from the right wall, and the fish is at the distance
  * `fish_gap_m` from this wall. The player's target is nearer to the wall than the ring by
  * `press_m`. */
-static int is_walled(float gap_m, float press_m, float speed_m_s, float fish_gap_m)
+static bool is_walled(float gap_m, float press_m, float speed_m_s, float fish_gap_m)
 {
     fixture_init(&fixture, 4, 1);
     const struct basis level = vec_basis_from_angles(fixture.poi.angles);
@@ -179,7 +181,7 @@ static void test_a_scoop_against_a_wall_is_walled_and_a_vertical_scoop_is_not(vo
 
 /* ---- Owner of a landed fish ----------------------------------------------------------------- */
 
-static int is_in_hull(const struct bowl *bowl, vec3 point_m)
+static bool is_in_hull(const struct bowl *bowl, vec3 point_m)
 {
     const vec3 at = v3_sub(point_m, bowl->position_m);
     const float radius_m = bowl_hull_radius_m(-at.y);

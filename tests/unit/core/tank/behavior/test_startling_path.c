@@ -3,6 +3,8 @@
  *
  * Fish respond mainly to the fast water in front of a broadside ring. Experienced players therefore
  * move the poi edge first and enter the water at a slant. */
+#include <stdbool.h>
+
 #include "tests/unit/support/poi_fixture.h"
 
 #include "core/tank/behavior/startle.h"
@@ -29,7 +31,7 @@ static void tick_on(void)
     poi_apply_reaction(&fixture.poi, &ring);
 }
 
-static int is_startled(const struct fish *fish)
+static bool is_startled(const struct fish *fish)
 {
     return fish->gait == GAIT_ESCAPE || fish->startle == STARTLE_PRESSURE ||
            fish->startle == STARTLE_LOOM;

@@ -3,6 +3,7 @@
 #include <float.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -305,7 +306,7 @@ static void test_a_dropped_fish_falls_into_the_water_and_stays_there(void **stat
     assert_int_equal(swim_fall(&fish), 0);
 }
 
-static int is_denormal(float x)
+static bool is_denormal(float x)
 {
     return x != 0.0f && f_abs(x) < FLT_MIN;
 }

@@ -2,6 +2,7 @@
  * may swim only after it is clear of all other fish. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -24,7 +25,7 @@ static float draw(uint32_t who, uint32_t which, float low, float high)
     return rng_range((struct rng_key){ 5, which, who, RNG_TEST }, low, high);
 }
 
-static int is_loose(uint32_t index)
+static bool is_loose(uint32_t index)
 {
     return tank.fish[index].gait == GAIT_HELD && tank.fish[index].holder == FISH_HOLDER_WATER;
 }

@@ -6,6 +6,7 @@
 #include <semaphore.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -75,7 +76,7 @@ static void fill(void)
     ledger_file_close(&file);
 }
 
-static int has_volume(void)
+static bool has_volume(void)
 {
     static struct ledger_file file;
     assert_int_equal(ledger_file_inspect(&file, path), 0);

@@ -2,6 +2,7 @@
  * rectangles. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -14,7 +15,7 @@
 #define ROUNDING_PX 0.6f
 
 /* Returns 1 if a quad may extend beyond the screen: a light, or the curtain while it moves. */
-static int may_leave(uint32_t quad, const struct bounds *bounds)
+static bool may_leave(uint32_t quad, const struct bounds *bounds)
 {
     const int curtain =
         (scene.phase == PHASE_READY || scene.phase_s < 1.0f || scene.leaderboard.shown) &&

@@ -4,6 +4,7 @@
  * selects this control. */
 #include "tests/unit/support/core_fixture.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 
 #include "core/game/lab/lab.h"
@@ -90,7 +91,7 @@ static void test_the_lab_fits_every_screen_with_every_species(void **state)
 }
 
 /* Returns 1 if a round dot of the colour `colour` is drawn with its centre at (x, y). */
-static int is_dot(float x, float y, uint32_t colour)
+static bool is_dot(float x, float y, uint32_t colour)
 {
     for (uint32_t i = 0; i < batch.quad_count; i++) {
         const struct ui_vertex *v = &batch.vertices[i * 4u];
@@ -99,10 +100,10 @@ static int is_dot(float x, float y, uint32_t colour)
                               (uint32_t)v->fill[2] << 8 | v->fill[3];
         if (batch.kinds[i] == UI_PANEL && fill == colour && dx * dx + dy * dy < 0.3f &&
             v->shape[0] > 2.0f && v->shape[0] == v->shape[2]) {
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
 /* Holds the poi over a point of the lab page and runs a tick. The poi is under water if `down` is

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -128,7 +129,7 @@ static void expect_inside(uint32_t size)
     }
 }
 
-static int is_upright(uint32_t size)
+static bool is_upright(uint32_t size)
 {
     return sizes[size].width < POINTER_UPRIGHT_ASPECT * sizes[size].height;
 }
