@@ -24,12 +24,12 @@ check 'a supply without an alarm is fine' finds fine power supply 'is high enoug
 check 'a cool processor is fine' finds fine heat processor 'not throttled' '$'
 put $firmware 50005
 check 'a low voltage is wrong' finds wrong power supply 'too low now' 'use the supply of Raspberry Pi'
-check 'a processor that the firmware throttles is reported' finds look heat processor 'slower now' 'clean the vents'
+check 'a processor that the firmware throttles is reported' finds check heat processor 'slower now' 'clean the vents'
 put $firmware 50000
-check 'a voltage that was low is reported' finds look power supply 'was too low since the start' 'use the supply'
-check 'a processor that was throttled is reported' finds look heat processor 'was throttled since the start' 'clean the vents'
+check 'a voltage that was low is reported' finds check power supply 'was too low since the start' 'use the supply'
+check 'a processor that was throttled is reported' finds check heat processor 'was throttled since the start' 'clean the vents'
 put $firmware 80008
-check 'a soft limit of temperature is reported' finds look heat processor 'slower now'
+check 'a soft limit of temperature is reported' finds check heat processor 'slower now'
 check 'a soft limit of temperature says nothing about the supply' finds fine power supply 'is high enough'
 put $firmware 0
 put sys/class/hwmon/hwmon0/name cpu_thermal
@@ -41,12 +41,12 @@ check "Debian's kernel reports a low voltage by the alarm of rpi_volt" finds wro
 put sys/class/hwmon/hwmon1/in0_lcrit_alarm 0
 check 'a cleared alarm is fine' finds fine power supply 'is high enough'
 put dev/kmsg '3,900,81000000,-;hwmon hwmon1: Undervoltage detected!'
-check 'a low voltage in the kernel log is reported' finds look power supply 'was too low since the start'
+check 'a low voltage in the kernel log is reported' finds check power supply 'was too low since the start'
 rm "$root/dev/kmsg"
 put $zone/temp 79900
 check 'a processor below 80 degrees is fine' finds fine heat processor 'not throttled'
 put $zone/temp 80000
-check 'a processor at 80 degrees is throttled' finds look heat processor 'slower now'
+check 'a processor at 80 degrees is throttled' finds check heat processor 'slower now'
 rm -r "${root:?}/$zone"
 
 # ---- HDMI socket
@@ -91,7 +91,7 @@ check 'errors in the kernel log are counted, and the last is printed without con
     '2 errors in the kernel log, the last: EXT4-fs error \(device mmcblk0p3\): ext4_find_entry .\[31m' 'copy the takings now'
 rm "$root/dev/kmsg"
 put sys/block/mmcblk0/device/pre_eol_info 0x02
-check 'a worn eMMC is reported' finds look card mmcblk0 'reports that it is worn' 'copy the takings now'
+check 'a worn eMMC is reported' finds check card mmcblk0 'reports that it is worn' 'copy the takings now'
 put sys/block/mmcblk0/ro 1
 check 'a card that became read-only is wrong' finds wrong card mmcblk0 'is read-only' 'copy the takings now'
 mkdir -p "$root/sys/block/mmcblk0boot0"

@@ -37,8 +37,8 @@ interface() {
 # ---- An empty machine
 mkdir -p "$root"
 check 'a machine without a screen is wrong' finds wrong display screens 'no screen is plugged in' 'connect a screen'
-check 'a machine without USB is reported' finds look usb controllers 'no USB' 'plug in a controller'
-check 'a machine without a sound card is reported' finds look sound cards 'no sound card: the kiosk is silent' 'connect a sound card'
+check 'a machine without USB is reported' finds check usb controllers 'no USB' 'plug in a controller'
+check 'a machine without a sound card is reported' finds check sound cards 'no sound card: the kiosk is silent' 'connect a sound card'
 check 'a data folder that does not exist yet is fine' finds fine store "data" 'does not exist yet'
 exits() { local code=$1; shift; doctor "$@"; [ $? -eq "$code" ]; }
 check 'a finding of level wrong exits with 1' exits 1
@@ -54,12 +54,12 @@ device 1-2 ff 045e 028e 4 'Xbox 360 Controller'
 interface 1-2 0 ff 5d 01 xpad
 device 1-3 00 0781 5567 5 'Cruzer'
 interface 1-3 0 08 06 50 usb-storage
-check 'a controller without permission is reported with advice' finds look usb '054c:0ce6 DualSense.*port 1-1.1' \
+check 'a controller without permission is reported with advice' finds check usb '054c:0ce6 DualSense.*port 1-1.1' \
     'nobody may not open it: /dev/bus/usb/001/002: Permission denied' 'sudo cp board/udev/.*rules /etc/udev/rules.d/ and replug it; nobody must be in group kingyo.*usermod -aG kingyo nobody'
 with=(--usb 054c:0ce6)
 check 'a requested controller without permission is wrong' finds wrong usb 054c:0ce6 'nobody may not open it' 'sudo cp'
 chmod 666 "$root/dev/bus/usb/001/002"
-check 'a controller that autosuspend may stop is reported' finds look usb 054c:0ce6 \
+check 'a controller that autosuspend may stop is reported' finds check usb 054c:0ce6 \
     'plays \(a known controller\), but autosuspend may stop it' 'sudo cp board/udev/.*echo on . sudo tee /sys/bus/usb/devices/1-1.1/power/control'
 put sys/bus/usb/devices/1-1.1/power/control on
 check 'a requested controller without problems is fine' finds fine usb 054c:0ce6 'plays \(a known controller\)'
@@ -84,16 +84,16 @@ mv "$work/hid" "$root/sys/bus/usb/devices/1-1.1:1.3/0003:0000:0000.0001"
 with=(--usb dead:beef)
 check 'a requested controller that is not plugged in is wrong' finds wrong usb dead:beef 'is not plugged in' 'plug it in'
 with=(--usb 046d:c31c)
-check 'a requested keyboard is reported as never claimed' finds look usb 046d:c31c 'was requested, but .*the kiosk never claims a keyboard'
+check 'a requested keyboard is reported as never claimed' finds check usb 046d:c31c 'was requested, but .*the kiosk never claims a keyboard'
 with=()
 check "an Xbox pad is reported with its driver" finds fine usb 045e:028e 'plays as a pad, through SDL'
 check 'a memory stick is reported as no controller' finds fine usb 0781:5567 'is not a controller; driver usb-storage'
 device 1-4 00 256c 006e 7 Tablet auto
 interface 1-4 0 03 00 00 usbhid $good/137-dg-huion-h610-if0.hid
 own_rule='put into .*71-kingyo-local.rules.*ATTR\{idProduct\}=="006e", GROUP="kingyo", MODE="0660", ATTR\{power/control\}="on"'
-check 'a controller outside our udev rules needs a local rule' finds look usb 256c:006e 'may not open it' "$own_rule; nobody must be"
+check 'a controller outside our udev rules needs a local rule' finds check usb 256c:006e 'may not open it' "$own_rule; nobody must be"
 chmod 666 "$root/dev/bus/usb/001/007"
-check 'the local rule also disables autosuspend' finds look usb 256c:006e 'autosuspend may stop it' "$own_rule, or for now: echo on"
+check 'the local rule also disables autosuspend' finds check usb 256c:006e 'autosuspend may stop it' "$own_rule, or for now: echo on"
 rm -r "$root"/sys/bus/usb/devices/1-4*
 listed() { # doctor_usb.c lists exactly the ids of the udev rules.
     sed -nE 's/^ATTRS\{idVendor\}=="(.*)", ATTRS\{idProduct\}=="(.*)", GOTO.*/\1 \2/p' board/udev/70-kingyo.rules |
@@ -104,7 +104,7 @@ listed() { # doctor_usb.c lists exactly the ids of the udev rules.
 }
 check 'doctor lists the same controllers as the udev rules' listed
 ln -s "$root/gone" "$root/sys/bus/usb/devices/1-7"
-check 'a port without readable data is reported' finds look usb 'port 1-7' 'has no readable data'
+check 'a port without readable data is reported' finds check usb 'port 1-7' 'has no readable data'
 rm "$root/sys/bus/usb/devices/1-7"
 no_hub() { doctor; ! grep -q Hub "$work/out"; }
 check 'hubs are omitted' no_hub
@@ -126,9 +126,9 @@ chmod 666 "$root/dev/input/event2"
 # ---- Lines
 put dev/gpiochip0 ''
 chmod 600 "$root/dev/gpiochip0"
-check 'an unused GPIO chip without permission is reported' finds look gpio /dev/gpiochip0 'nobody may not open it: Permission denied' 'sudo cp board/udev'
+check 'an unused GPIO chip without permission is reported' finds check gpio /dev/gpiochip0 'nobody may not open it: Permission denied' 'sudo cp board/udev'
 ln -s gpiochip0 "$root/dev/gpiochip4" # Raspberry Pi OS creates this link.
-check 'a link to a GPIO chip is not reported as a second chip' finds look gpio /dev/gpiochip 'nobody may not open it'
+check 'a link to a GPIO chip is not reported as a second chip' finds check gpio /dev/gpiochip 'nobody may not open it'
 with=(--line start=BTN_START)
 check 'a required GPIO chip without permission is wrong' finds wrong gpio /dev/gpiochip0 'nobody may not open it' 'sudo cp board/udev'
 check 'a line of a closed GPIO chip is reported as not found' finds wrong line 'start on BTN_START' 'no chip that may be opened has this line' 'correct --line'
@@ -164,7 +164,7 @@ chmod 755 "$root/data"
 check 'a data folder without write permission is wrong' finds wrong store /data 'nobody may not write there' "sudo chown -R nobody '/data'"
 chmod 777 "$root/data"
 check 'a writable data folder is fine' finds fine store /data 'nobody may write there'
-check 'the free space is reported' finds '(fine|look)' store room '[0-9]+ MiB are free'
+check 'the free space is reported' finds '(fine|check)' store room '[0-9]+ MiB are free'
 check 'a missing database is fine' finds fine database kingyo.db 'has saved nothing'
 cp tests/unit/platform/store/files/version-6.db "$root/data/kingyo.db"
 check 'a database is checked and summarized' finds fine database kingyo.db 'whole, version 6: 9 entries of 2 starts, 1 rounds'
@@ -186,8 +186,8 @@ rm "$root/data/kingyo.db" && sqlite3 "$root/data/kingyo.db" 'create table x (a)'
 check 'the database of another program is wrong' finds wrong database kingyo.db damaged 'restart the kiosk'
 touch "$root/data/kingyo.db.damaged-1" "$root/data/kingyo.db.damaged-1-wal"
 touch -d '3 days ago' "$root/data/kingyo.db.backup"
-check 'a renamed damaged database is reported' finds look database kingyo.db.damaged-1 'was renamed'
-check 'a backup is reported with its age' finds look backup kingyo.db.backup '72 h old'
+check 'a renamed damaged database is reported' finds check database kingyo.db.damaged-1 'was renamed'
+check 'a backup is reported with its age' finds check backup kingyo.db.backup '72 h old'
 rm "$root"/data/kingyo.db.*
 head -c 5000 /dev/urandom >"$root/data/kingyo.db"
 check 'a damaged database is wrong' finds wrong database kingyo.db damaged 'restart the kiosk'
@@ -201,10 +201,10 @@ for target in nowhere other.db; do
 done
 mkfifo "$root/data/kingyo.db" "$root/data/kingyo.db.backup"
 check 'a FIFO in place of the database is wrong' finds wrong database kingyo.db 'is not a regular file' 'restart the kiosk'
-check 'a FIFO in place of the backup is reported' finds look backup kingyo.db.backup 'is not a regular file' 'restart the kiosk'
+check 'a FIFO in place of the backup is reported' finds check backup kingyo.db.backup 'is not a regular file' 'restart the kiosk'
 rm "$root/data/kingyo.db" "$root/data/kingyo.db.backup" "$root/data/other.db"
 put data/pois/054c-0ce6-A.poi 'something else'
-check 'an unreadable controller mapping is reported with its line' finds look learned 054c-0ce6-A.poi 'line 1: ' 'remove the file, and learn the controller again'
+check 'an unreadable controller mapping is reported with its line' finds check learned 054c-0ce6-A.poi 'line 1: ' 'remove the file, and learn the controller again'
 rm "$root/data/pois/054c-0ce6-A.poi"
 
 # ---- Configuration
@@ -221,7 +221,7 @@ price = 30'
 check 'the default configuration path is checked when --config is missing' finds wrong config etc/kingyo/kingyo.conf 'kingyo.conf:2: price: wrong value .30.; expected 1 to 20' 'correct the line'
 rm -r "$root/etc/kingyo"
 check 'a machine without a finding of level wrong exits with 0' exits 0
-text_has_total() { doctor; tail -1 "$work/out" | grep -qE '^[0-9]+ fine, [0-9]+ to look at, 0 wrong$' && grep -qE '^look +gpio' "$work/out" && grep -qE '^ +-> sudo cp' "$work/out"; }
+text_has_total() { doctor; tail -1 "$work/out" | grep -qE '^[0-9]+ fine, [0-9]+ to check, 0 wrong$' && grep -qE '^check +gpio' "$work/out" && grep -qE '^ +-> sudo cp' "$work/out"; }
 check 'the text has one line for each finding and a total' text_has_total
 touched() { [ "$(find "$root" -newer "$work/kingyo.conf" -type f -not -path '*/data/*' | wc -l)" -eq 0 ]; }
 check 'doctor changes no file' touched

@@ -79,7 +79,7 @@ static const struct option options[] = {
     { "root", "FOLDER", "inspect /sys, /dev, /proc and the data folder below FOLDER", OPTION_TEXT,
       AT(root) },
     { "json", NULL,
-      "print JSON: {findings: [{part, level, what, state, todo}], more, fine, look, "
+      "print JSON: {findings: [{part, level, what, state, todo}], more, fine, check, "
       "wrong}",
       OPTION_FLAG, AT(as_json) },
 };
@@ -169,7 +169,7 @@ const struct ctl_command ctl_doctor = {
     .summary = "checks what is connected, what interferes, and how to solve each problem",
     .usage = "  kingyoctl doctor [--json] [--user NAME] [--root FOLDER] [KIOSK OPTION...]\n\n"
              "Checks controllers, GPIO lines, permissions, drivers, board, display, sound, data\n"
-             "folder and database, and changes nothing. Each finding is a line: fine, look (it\n"
+             "folder and database, and changes nothing. Each finding is a line: fine, check (it\n"
              "works, but should be inspected) or WRONG, with the action to take below it.\n",
     .options = &own_table,
     .notes = "Options of the kiosk have the same effect as for the kiosk, for example\n"

@@ -23,7 +23,7 @@
 enum doctor_level {
     DOCTOR_FINE = 0,
     /* The component works or is optional, but the operator should check the component. */
-    DOCTOR_LOOK,
+    DOCTOR_CHECK,
     DOCTOR_WRONG, /* A requested or mandatory component does not work for the kiosk. */
 };
 
@@ -138,7 +138,7 @@ void doctor_gpio_wire(struct doctor *doctor, enum gpio_role role, const struct g
 
 /* Checks whether the kiosk's user may read and write `path`, which is relative to the root. Returns
  * 0 if the user may. Otherwise returns ENOENT, EACCES or another errno. */
-int doctor_may_use(const struct doctor *doctor, const char *path);
+int doctor_access_error(const struct doctor *doctor, const char *path);
 
 /* Sets the action of a finding for a device node that the kiosk's user may not access. If the group
  * of the node has access, the action is to join the group. Otherwise, for example if only root has

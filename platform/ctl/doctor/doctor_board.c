@@ -59,7 +59,7 @@ static void check_power(struct doctor *doctor, uint32_t bits, bool was_seen_in_l
     const bool was_low = (bits >> PAST_SHIFT & UNDER_VOLTAGE) != 0 || was_seen_in_log;
     struct doctor_finding *finding = doctor_find(doctor, "power",
                                                  is_low    ? DOCTOR_WRONG
-                                                 : was_low ? DOCTOR_LOOK
+                                                 : was_low ? DOCTOR_CHECK
                                                            : DOCTOR_FINE,
                                                  "supply");
     doctor_state(finding, "the voltage %s",
@@ -77,7 +77,7 @@ static void check_heat(struct doctor *doctor, uint32_t bits)
     const uint32_t heat = FREQUENCY_CAPPED | THROTTLED | SOFT_TEMPERATURE_LIMIT;
     const bool is_slow = (bits & heat) != 0, was_slow = (bits >> PAST_SHIFT & heat) != 0;
     struct doctor_finding *finding =
-        doctor_find(doctor, "heat", is_slow || was_slow ? DOCTOR_LOOK : DOCTOR_FINE, "processor");
+        doctor_find(doctor, "heat", is_slow || was_slow ? DOCTOR_CHECK : DOCTOR_FINE, "processor");
     doctor_state(finding, "%s",
                  is_slow    ? "throttled: the processor runs slower now"
                  : was_slow ? "was throttled since the start"
@@ -227,7 +227,7 @@ static void check_card(struct doctor *doctor, const char *card, const struct log
         doctor_state(finding, "%u errors in the kernel log, the last: %s", log->card_errors,
                      log->last);
     } else if (strtoul(worn, NULL, 16) >= 2) { /* JEDEC eMMC: 1 normal, 2 warning, 3 urgent. */
-        finding->level = DOCTOR_LOOK;
+        finding->level = DOCTOR_CHECK;
         doctor_state(finding, "reports that it is worn");
     } else if (!log->is_readable) {
         doctor_state(finding, "can be written; only root can read the errors in the kernel log");

@@ -18,7 +18,7 @@
 #include "platform/os/print.h"
 #include "platform/os/file.h"
 
-static const char *const level_words[] = { "fine", "look", "WRONG" };
+static const char *const level_words[] = { "fine", "check", "WRONG" };
 
 struct doctor_finding *doctor_find(struct doctor *doctor, const char *part, enum doctor_level level,
                                    const char *what, ...)
@@ -78,15 +78,15 @@ void doctor_report_text(const struct doctor *doctor)
     if (doctor->more > 0) {
         printf("%u further findings were dropped because the list is full\n", doctor->more);
     }
-    printf("%u fine, %u to look at, %u wrong\n", doctor_count(doctor, DOCTOR_FINE),
-           doctor_count(doctor, DOCTOR_LOOK), doctor_count(doctor, DOCTOR_WRONG));
+    printf("%u fine, %u to check, %u wrong\n", doctor_count(doctor, DOCTOR_FINE),
+           doctor_count(doctor, DOCTOR_CHECK), doctor_count(doctor, DOCTOR_WRONG));
 }
 
 /* ---- Output as JSON -------------------------------------------------------------------------- */
 
 void doctor_report_json(const struct doctor *doctor)
 {
-    static const char *const keys[] = { "fine", "look", "wrong" };
+    static const char *const keys[] = { "fine", "check", "wrong" };
     struct json json = { .file = stdout };
     json_print(&json, "{findings: [");
     for (uint32_t i = 0; i < doctor->count; i++) {
@@ -110,7 +110,7 @@ static const char *below_root(const struct doctor *doctor, const char *path)
     return whole;
 }
 
-int doctor_may_use(const struct doctor *doctor, const char *path)
+int doctor_access_error(const struct doctor *doctor, const char *path)
 {
     const char *whole = below_root(doctor, path);
     struct stat about;

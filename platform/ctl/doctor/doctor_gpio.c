@@ -24,11 +24,11 @@ static void check_chip(struct doctor *doctor, const char *path, struct gpio_cens
 {
     char whole[OPTIONS_PATH_MAX + 64u];
     struct gpiochip_info chip = { .lines = 0 };
-    const int refused = doctor_may_use(doctor, path);
+    const int refused = doctor_access_error(doctor, path);
     if (refused) {
         const bool is_needed = doctor->options.line_count > 0;
         struct doctor_finding *finding =
-            doctor_find(doctor, "gpio", is_needed ? DOCTOR_WRONG : DOCTOR_LOOK, "%s", path);
+            doctor_find(doctor, "gpio", is_needed ? DOCTOR_WRONG : DOCTOR_CHECK, "%s", path);
         doctor_state(finding, "%s may not open it: %s", doctor->user.name, strerror(refused));
         doctor_todo_access(doctor, finding, path,
                            "sudo cp board/udev/*.rules /etc/udev/rules.d/, then sudo udevadm "
@@ -39,7 +39,7 @@ static void check_chip(struct doctor *doctor, const char *path, struct gpio_cens
     const int file = open(whole, O_RDWR | O_CLOEXEC);
     const int error = file < 0 ? errno : ioctl(file, GPIO_GET_CHIPINFO_IOCTL, &chip) ? errno : 0;
     if (error) {
-        doctor_state(doctor_find(doctor, "gpio", DOCTOR_LOOK, "%s", path), "%s", strerror(error));
+        doctor_state(doctor_find(doctor, "gpio", DOCTOR_CHECK, "%s", path), "%s", strerror(error));
     } else {
         for (uint32_t offset = 0; offset < chip.lines; offset++) {
             struct gpio_v2_line_info line = { .offset = offset };

@@ -21,11 +21,11 @@ static void check_node(struct doctor *doctor, const char *part, const char *what
 {
     CORE_ASSERT(part && what && path && group);
     char join[DOCTOR_TEXT];
-    const int error = doctor_may_use(doctor, path);
+    const int error = doctor_access_error(doctor, path);
     struct doctor_finding *finding = doctor_find(doctor, part,
                                                  !error      ? DOCTOR_FINE
                                                  : is_needed ? DOCTOR_WRONG
-                                                             : DOCTOR_LOOK,
+                                                             : DOCTOR_CHECK,
                                                  "%s", what);
     const char *verb = strcmp(group, "input") == 0 ? "read" : "use";
     if (!error) {
@@ -139,7 +139,7 @@ void doctor_sound(struct doctor *doctor)
         fclose(file);
     }
     if (count == 0) {
-        struct doctor_finding *none = doctor_find(doctor, "sound", DOCTOR_LOOK, "cards");
+        struct doctor_finding *none = doctor_find(doctor, "sound", DOCTOR_CHECK, "cards");
         doctor_state(none, "this machine has no sound card: the kiosk is silent");
         doctor_todo(none, "connect a sound card, or enable the board's sound (on a Raspberry Pi: "
                           "dtparam=audio=on)");

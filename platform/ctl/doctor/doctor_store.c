@@ -31,7 +31,7 @@ static void check_room(struct doctor *doctor, const char *path)
         const uint64_t mib = (uint64_t)about.f_bavail * about.f_frsize / 1048576u;
         const bool is_low = mib < ROOM_MIB;
         struct doctor_finding *finding =
-            doctor_find(doctor, "store", is_low ? DOCTOR_LOOK : DOCTOR_FINE, "room");
+            doctor_find(doctor, "store", is_low ? DOCTOR_CHECK : DOCTOR_FINE, "room");
         doctor_state(finding, "%" PRIu64 " MiB are free", mib);
         if (is_low) {
             doctor_todo(finding, "free space on the card: %u MiB at least", ROOM_MIB);
@@ -47,7 +47,7 @@ static int check_folder(struct doctor *doctor, const char *path)
     /* The mode bits of a folder do not show whether its file system is mounted read-only. */
     const int error = statvfs(path, &mount) == 0 && (mount.f_flag & ST_RDONLY) != 0
                           ? EROFS
-                          : doctor_may_use(doctor, doctor->options.data);
+                          : doctor_access_error(doctor, doctor->options.data);
     struct doctor_finding *finding = doctor_find(doctor, "store", DOCTOR_FINE, "%s", path);
     if (error == ENOENT) {
         doctor_state(finding,
@@ -174,14 +174,14 @@ static void check_backup(struct doctor *doctor, const char *folder)
     }
     const int error = file_type_error(path);
     if (error) {
-        struct doctor_finding *other = doctor_find(doctor, "backup", DOCTOR_LOOK, "%s", path);
+        struct doctor_finding *other = doctor_find(doctor, "backup", DOCTOR_CHECK, "%s", path);
         doctor_state(other, "%s", file_error(error));
         doctor_todo(other, "restart the kiosk: it renames the object and makes a new backup");
         return;
     }
     const int64_t hours = ((int64_t)time(NULL) - about.st_mtime) / 3600;
-    struct doctor_finding *finding =
-        doctor_find(doctor, "backup", hours < BACKUP_OLD_H ? DOCTOR_FINE : DOCTOR_LOOK, "%s", path);
+    struct doctor_finding *finding = doctor_find(
+        doctor, "backup", hours < BACKUP_OLD_H ? DOCTOR_FINE : DOCTOR_CHECK, "%s", path);
     doctor_state(finding, "%" PRId64 " h old, %" PRId64 " KiB", hours,
                  (int64_t)about.st_size / 1024);
     if (hours >= BACKUP_OLD_H) {
@@ -224,7 +224,7 @@ static void check_damaged(struct doctor *doctor, const char *folder)
         if (kind != SYSTEM_HEALTH_QUARANTINE_NONE) {
             CORE_ASSERT((size_t)kind < sizeof quarantines / sizeof quarantines[0]);
             struct doctor_finding *finding =
-                doctor_find(doctor, "database", DOCTOR_LOOK, "%s/%s", folder, names.name[i]);
+                doctor_find(doctor, "database", DOCTOR_CHECK, "%s/%s", folder, names.name[i]);
             doctor_state(finding, "%s%s", quarantines[kind].state,
                          system_health_is_seen(folder, names.name[i])
                              ? "; the operator has confirmed the finding"
@@ -255,7 +255,7 @@ static void check_poi_file(struct doctor *doctor, const char *path)
                      "%u motions and buttons", entry.map.count);
         return;
     }
-    struct doctor_finding *finding = doctor_find(doctor, "learned", DOCTOR_LOOK, "%s", path);
+    struct doctor_finding *finding = doctor_find(doctor, "learned", DOCTOR_CHECK, "%s", path);
     if (error) {
         doctor_state(finding, "%s", file_error(error));
     } else {

@@ -222,7 +222,7 @@ static void report_ready(struct doctor *doctor, const struct usb_device *device,
     };
     CORE_ASSERT((size_t)interface->verdict < sizeof words / sizeof words[0]);
     struct doctor_finding *finding =
-        doctor_usb_add_finding(doctor, device, device->sleeps ? DOCTOR_LOOK : DOCTOR_FINE);
+        doctor_usb_add_finding(doctor, device, device->sleeps ? DOCTOR_CHECK : DOCTOR_FINE);
     doctor_state(finding, "%s (%s)%s", words[interface->verdict], map_words(interface),
                  device->sleeps ? ", but autosuspend may stop it during a round" : "");
     if (device->sleeps) {
@@ -241,10 +241,10 @@ static void report_controller(struct doctor *doctor, const struct usb_device *de
 {
     char node[64], rule[DOCTOR_TEXT], both[2u * DOCTOR_TEXT];
     snprintf(node, sizeof node, "/dev/bus/usb/%03u/%03u", device->bus, device->number);
-    const int error = doctor_may_use(doctor, node);
+    const int error = doctor_access_error(doctor, node);
     if (error) {
         struct doctor_finding *denied = doctor_usb_add_finding(
-            doctor, device, interface->verdict == USB_PLAYS ? DOCTOR_WRONG : DOCTOR_LOOK);
+            doctor, device, interface->verdict == USB_PLAYS ? DOCTOR_WRONG : DOCTOR_CHECK);
         write_rules_todo(rule, sizeof rule, device->identity.vendor, device->identity.product);
         snprintf(both, sizeof both,
                  "%s; %s must be in group kingyo, which board/sysusers/kingyo.conf makes: "
@@ -290,7 +290,7 @@ static void report_unused(struct doctor *doctor, const struct usb_device *device
         is_requested |= is_named(doctor, i, &device->identity);
     }
     struct doctor_finding *finding =
-        doctor_usb_add_finding(doctor, device, is_requested ? DOCTOR_LOOK : DOCTOR_FINE);
+        doctor_usb_add_finding(doctor, device, is_requested ? DOCTOR_CHECK : DOCTOR_FINE);
     if (is_hid) {
         doctor_state(finding, "%s%s", is_requested ? "was requested, but " : "",
                      interface->subject.kind == USB_KIND_NOTHING
@@ -306,7 +306,7 @@ static void report_device(struct doctor *doctor, const struct usb_device *device
                           const struct usb_interface *interface)
 {
     if (device->identity.vendor == 0 && device->identity.product == 0) {
-        doctor_state(doctor_find(doctor, "usb", DOCTOR_LOOK, "port %s", device->port),
+        doctor_state(doctor_find(doctor, "usb", DOCTOR_CHECK, "port %s", device->port),
                      "has no readable data: it is being unplugged, or does not respond");
     } else if (interface->class == USB_CLASS_HID && interface->verdict >= USB_FREE &&
                interface->subject.kind != USB_KIND_NOTHING) {
@@ -373,7 +373,7 @@ void doctor_usb(struct doctor *doctor)
     }
     report_missing(doctor, there, count);
     if (shown == 0) {
-        struct doctor_finding *none = doctor_find(doctor, "usb", DOCTOR_LOOK, "controllers");
+        struct doctor_finding *none = doctor_find(doctor, "usb", DOCTOR_CHECK, "controllers");
         doctor_state(none, ports.count > 0 ? "nothing is plugged in" : "this machine has no USB");
         doctor_todo(none, "plug in a controller, or play with the mouse, a pad or a finger");
     }
