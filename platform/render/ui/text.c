@@ -150,7 +150,7 @@ static bool matches(struct span line, const char *pattern, struct span gap[GAPS_
 
 static enum text_key pattern_of(struct span line, struct span gap[GAPS_MAX])
 {
-    for (uint32_t key = TEXT_SAYS_NO_PICTURE; key <= TEXT_SAYS_NO_ROOM; key++) {
+    for (uint32_t key = TEXT_MESSAGE_NO_PICTURE; key <= TEXT_MESSAGE_NO_ROOM; key++) {
         if (matches(line, text_words(LANGUAGE_EN, (enum text_key)key), gap)) {
             return (enum text_key)key;
         }

@@ -40,10 +40,10 @@ float text_width_em(enum font_id font, const char *words, float spacing_em);
 #define TEXT_TRANSLATE_SIZE (3u * SCENE_LINE_SIZE)
 
 /* Translates a status line of a device. A driver reports each line only in English, for the log and
- * for the screen. assets/text has a pattern for each of these lines, from TEXT_SAYS_NO_PICTURE to
- * TEXT_SAYS_NO_ROOM. The pattern in en.txt is the driver's line with {} in place of each name or
- * number. The pattern in ja.txt is the Japanese translation. A line without a pattern is shown in
- * English.
+ * for the screen. assets/text has a pattern for each of these lines, from TEXT_MESSAGE_NO_PICTURE
+ * to TEXT_MESSAGE_NO_ROOM. The pattern in en.txt is the driver's line with {} in place of each name
+ * or number. The pattern in ja.txt is the Japanese translation. A line without a pattern is shown
+ * in English.
  *
  * Writes the translation of `line` into `language` (enum language) to `out`. If `out` is too small,
  * the translation is cut after a whole character. Parts of `line` that "; " separates are

@@ -30,7 +30,7 @@ static const char *in_japanese(const char *line)
 static void test_every_message_pattern_is_unique(void **state)
 {
     (void)state;
-    for (uint32_t key = TEXT_SAYS_NO_PICTURE; key <= TEXT_SAYS_NO_ROOM; key++) {
+    for (uint32_t key = TEXT_MESSAGE_NO_PICTURE; key <= TEXT_MESSAGE_NO_ROOM; key++) {
         const char *words[2] = { text_words(LANGUAGE_EN, (enum text_key)key),
                                  text_words(LANGUAGE_JA, (enum text_key)key) };
         char line[2][TEXT_TRANSLATE_SIZE];
