@@ -59,7 +59,7 @@ struct core_player_status {
     bool plays;    /* True if the player has had a poi in use in this round. */
     uint8_t fouls; /* Number of the player's counted fouls. */
     uint32_t caught;
-    struct poi_target hand_pose; /* Target pose of the player's poi in the last tick. */
+    struct poi_target target_pose; /* Target pose of the player's poi in the last tick. */
 };
 
 /* Copy of the values that recordings, the store and the status file read after a tick. */

@@ -193,9 +193,9 @@ static void show_players(const struct core *core, struct scene *scene)
             .foul = player->foul,
             .foul_s = (float)(core->game.tick - player->foul_tick) * CORE_TICK_S,
             .out = player->out,
-            .has_hand = player->has_hand,
-            .x = player->hand.x,
-            .y = player->hand.y,
+            .has_pointer = player->has_pointer,
+            .x = player->pointer.x,
+            .y = player->pointer.y,
             .place = place.place,
             .period = place.period,
             .level = player->level,
@@ -219,7 +219,7 @@ static void show_tags(const struct core *core, struct scene *scene)
     scene->pointed_tags = 0;
     const uint32_t lead = game_mode_select_lead(&core->world);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (i == lead || core->game.player[i].has_hand) {
+        if (i == lead || core->game.player[i].has_pointer) {
             scene->pointed_tags |= (uint8_t)(1u << game_mode_select_tag(&core->game, i));
         }
     }

@@ -28,7 +28,7 @@ struct core_status core_status(const struct core *core)
             .plays = game->player[i].plays,
             .fouls = game->player[i].fouls,
             .caught = game->player[i].caught,
-            .hand_pose = game->control[i].hand_pose,
+            .target_pose = game->control[i].target_pose,
         };
     }
     return status;

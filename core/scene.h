@@ -352,8 +352,8 @@ struct scene {
         uint8_t place;
         uint8_t period; /* Period of the leaderboard with the best place (enum rank_period). */
         uint8_t level;  /* Level of the player in the round, or the selected level (enum level). */
-        uint8_t has_hand; /* In PHASE_MODE_SELECT: 1 if the player has a pointer. */
-        float x, y;       /* In PHASE_MODE_SELECT: position of the pointer on the canvas. */
+        uint8_t has_pointer; /* In PHASE_MODE_SELECT: 1 if the player has a pointer. */
+        float x, y;          /* In PHASE_MODE_SELECT: position of the pointer on the canvas. */
         /* In RESULT: 1 if the player caught no fish and gets one as a present, otherwise 0. */
         uint8_t has_present;
         float miss_s; /* In ROUND: seconds since the latest near miss; 0 means none. */

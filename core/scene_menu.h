@@ -38,7 +38,7 @@ struct scene_menu {
     /* Index of the first row that the file page shows, < controllers.file_count; 0 if the list is
      * empty. */
     uint8_t file_first;
-    uint8_t upright, has_hand, presses;
+    uint8_t upright, has_pointer, presses;
     uint8_t rules; /* Format whose rules the menu follows, as in struct core_config. */
     float x, y;    /* Pointer position on the canvas (core/game/pointer_mapping.h). */
     struct controller_status controllers;

@@ -23,7 +23,7 @@ struct scene_lab {
     uint8_t layer;
     uint8_t playing, compare, path;
     uint8_t points; /* Part of the lab page under the pointer (enum lab_part). */
-    uint8_t presses, has_hand, upright;
+    uint8_t presses, has_pointer, upright;
     uint8_t holds; /* Element that is dragged (enum lab_hold). */
     /* Index of the knot (control point) of the graph or of the scale curve that is dragged; 255
      * means none. */
@@ -72,7 +72,7 @@ struct scene_name {
     uint8_t slot;
     uint8_t alphabet; /* enum name_alphabet */
     uint8_t key;      /* Highlighted key: the index of a letter's cell, or an enum name_key. */
-    uint8_t upright, has_hand, presses;
+    uint8_t upright, has_pointer, presses;
     /* 1 if the last name was rejected and a different name is required, otherwise 0. */
     uint8_t was_refused;
     uint8_t letter_count;

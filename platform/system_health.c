@@ -44,7 +44,7 @@ static bool path_in(const char *folder, const char *name, const char *suffix, ch
 /* Returns a value of enum scene_keeps: whether files in the data folder survive a restart of the
  * machine. If the script check-data has written its result since the boot, that result is
  * returned. */
-static uint8_t keeps_of(const struct system_health *machine)
+static uint8_t persistence_of(const struct system_health *machine)
 {
     char line[16] = "";
     struct statfs about;
@@ -184,7 +184,7 @@ void system_health_sample(struct system_health *machine, struct scene_machine *o
             machine->written_s = (int64_t)about.st_mtim.tv_sec;
         }
     }
-    out->keeps = keeps_of(machine);
+    out->keeps = persistence_of(machine);
     const bool has_disk = has_folder(machine) && statvfs(machine->data, &disk) == 0;
     const uint64_t mib = has_disk ? (uint64_t)disk.f_bavail * disk.f_frsize / MIB : 0;
     out->room_mib = mib < UINT32_MAX ? (uint32_t)mib : UINT32_MAX;

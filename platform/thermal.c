@@ -90,8 +90,8 @@ static void *thermal_thread(void *self)
     do {
         atomic_store(&thermal->margin_mdeg,
                      thermal_read(thermal->root ? thermal->root : THERMAL_ROOT));
-        atomic_fetch_add(&thermal->looks, 1u);
-    } while (!thread_wait(thermal->end_fd, THERMAL_LOOK_S));
+        atomic_fetch_add(&thermal->measured_count, 1u);
+    } while (!thread_wait(thermal->end_fd, THERMAL_PERIOD_S));
     return NULL;
 }
 

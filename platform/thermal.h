@@ -1,7 +1,7 @@
 /* thermal.h -- measures the temperature margin: how far the temperature is below the limit at which
  * the machine slows down.
  *
- * A separate thread reads the kernel's sensors every THERMAL_LOOK_S seconds, because some sensors
+ * A separate thread reads the kernel's sensors every THERMAL_PERIOD_S seconds, because some sensors
  * take milliseconds and the frame loop must not block. */
 #pragma once
 
@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define THERMAL_LOOK_S 5u
+#define THERMAL_PERIOD_S 5u
 #define THERMAL_ROOT "/sys/class/thermal" /* Folder of the machine's thermal zones. */
 /* Default temperature limit in thousandths of a degree Celsius, used for a thermal zone without its
  * own limit. Typical boards slow down above this temperature. */
@@ -33,7 +33,7 @@ struct thermal {
      * end. */
     int end_fd;
     atomic_int margin_mdeg;
-    atomic_uint looks; /* Number of completed temperature measurements. */
+    atomic_uint measured_count; /* Number of completed temperature measurements. */
 };
 
 /* Starts the temperature monitor's thread. If the thread cannot be created, the temperature margin

@@ -10,7 +10,7 @@
 
 /* Draws one fibre, either light or dark. The fibre changes its direction slightly at each step and
  * becomes thinner toward both ends. */
-static void lay_fibre(float *sum, uint32_t *random)
+static void draw_fibre(float *sum, uint32_t *random)
 {
     float x = noise_random01(random) * (float)PAPER_SIZE,
           y = noise_random01(random) * (float)PAPER_SIZE;
@@ -33,7 +33,7 @@ void bake_paper(uint8_t *r8)
     float *fibres = bake_alloc(PAPER_SIZE * PAPER_SIZE * sizeof *fibres);
     uint32_t random = 2005;
     for (uint32_t i = 0; i < FIBRES; i++) {
-        lay_fibre(fibres, &random);
+        draw_fibre(fibres, &random);
     }
     for (uint32_t y = 0; y < PAPER_SIZE; y++) {
         for (uint32_t x = 0; x < PAPER_SIZE; x++) {

@@ -209,7 +209,7 @@ void board_pose_init(struct board_pose *pose, const struct poi_config *config)
 /* Computes the position of the eye, where the draw wires meet, from the lengths of the wires. The
  * length of a wire is invalid in two cases. A broken or released wire is pulled to the end stop of
  * its potentiometer. A wire that is not connected gives no reading. */
-static enum draw_wires_result feel_wires(struct board_pose *pose, const struct readings *readings)
+static enum draw_wires_result locate_eye(struct board_pose *pose, const struct readings *readings)
 {
     const struct poi_config *config = pose->config;
     float length_m[DRAW_WIRE_COUNT];
@@ -242,7 +242,7 @@ void board_pose_step(struct board_pose *pose, const struct readings *readings, f
     }
     out->buttons = readings->buttons;
     out->target.angles = attitude_angles(&pose->attitude, config->ahead_s, seconds);
-    pose->wires = feel_wires(pose, readings);
+    pose->wires = locate_eye(pose, readings);
     if (pose->wires != DRAW_WIRES_OK || !pose->attitude.is_valid) {
         pose->steady.begun = false;
         out->target.position_m.x = __builtin_nanf("");

@@ -78,11 +78,11 @@ struct player {
     /* Level of the player in this round, or the level that the player has selected in the mode
      * selection (enum level). */
     uint8_t level;
-    uint8_t has_hand; /* 1 if the player has a pointer in the mode selection, otherwise 0. */
-    struct layout_point hand; /* Position of the player's pointer on the canvas. */
-    uint8_t fouls;            /* Number of the player's counted fouls, 0 .. FOUL_MAX. */
-    uint8_t foul;             /* Kind of the player's latest foul (enum foul). */
-    uint32_t foul_tick;       /* Tick of the player's latest counted foul. */
+    uint8_t has_pointer; /* 1 if the player has a pointer in the mode selection, otherwise 0. */
+    struct layout_point pointer; /* Position of the player's pointer on the canvas. */
+    uint8_t fouls;               /* Number of the player's counted fouls, 0 .. FOUL_MAX. */
+    uint8_t foul;                /* Kind of the player's latest foul (enum foul). */
+    uint32_t foul_tick;          /* Tick of the player's latest counted foul. */
     /* Tick at which the player last committed each kind of foul, counted or not. */
     uint32_t offence_tick[FOUL_COUNT];
     uint32_t caught;
@@ -170,7 +170,7 @@ struct name {
     uint8_t alphabet;  /* Displayed alphabet (enum name_alphabet). */
     uint8_t key;       /* Highlighted key: the index of a letter's cell, or an enum name_key. */
     uint8_t points;    /* Key under the pointer, counted from 1. 0 means no key. */
-    uint8_t upright, has_hand, presses;
+    uint8_t upright, has_pointer, presses;
     /* Number of names that the current player entered and the name filter rejected. */
     uint8_t refusals;
     uint8_t letter_count;

@@ -136,11 +136,11 @@ static const struct field_table album_fields = FIELD_TABLE(album,
  * because they seldom change. */
 #define STRUCT lab
 static const struct field_table lab_fields = FIELD_TABLE(lab,
-    FIELD(species), FIELD(layer), FIELD(playing), FIELD(compare), FIELD(path), FIELD(has_hand),
+    FIELD(species), FIELD(layer), FIELD(playing), FIELD(compare), FIELD(path), FIELD(has_pointer),
     FIELD(presses), FIELD(points), FIELD(holds), FIELD(held_knot), FIELD(upright),
     FIELD(stir_tick), FIELD(act_tick), FIELD(rest_ticks), FIELD(start_ticks), FIELD(save_id),
-    FIELD(saved_id), FIELD(requested_id), FIELD(hand), FIELD(edit_refused), FIELD(x), FIELD(y),
-    FIELD(stir_x), FIELD(stir_y), FIELD(progress), FIELD_STRUCT(edit, &lab_edit_fields),
+    FIELD(saved_id), FIELD(requested_id), FIELD(pointer_player), FIELD(edit_refused), FIELD(x),
+    FIELD(y), FIELD(stir_x), FIELD(stir_y), FIELD(progress), FIELD_STRUCT(edit, &lab_edit_fields),
     FIELD_SKIP(has_edit), FIELD_SKIP(edits));
 
 const struct field_table lab_saved_fields = FIELD_TABLE(lab,
@@ -216,8 +216,8 @@ static const struct field_table menu_fields = FIELD_TABLE(menu,
     FIELD(page), FIELD(row), FIELD(upright), FIELD(file_first), FIELD(board), FIELD(score),
     FIELD(score_is_named), FIELD(is_unnaming), FIELD(scores), FIELD(chosen), FIELD(turns_down),
     FIELD(turning), FIELD(turn_count), FIELD(turn_tick), FIELD(from), FIELD(pin_count),
-    FIELD(pin), FIELD(has_hand), FIELD(hand), FIELD(presses), FIELD(points), FIELD(held),
-    FIELD(test_coins), FIELD(coin_tick), FIELD(command_count), FIELD(confirm_tick),
+    FIELD(pin), FIELD(has_pointer), FIELD(pointer_player), FIELD(presses), FIELD(points),
+    FIELD(held), FIELD(test_coins), FIELD(coin_tick), FIELD(command_count), FIELD(confirm_tick),
     FIELD(take_tick), FIELD(act_tick), FIELD(use_tick), FIELD_BYTES(tag),
     FIELD_BYTES(controllers), FIELD(pressed_count), FIELD(rest), FIELD_SKIP(rules),
     FIELD_STRUCT(calibrate, &calibrate_fields), FIELD_STRUCT(self, &self_test_fields), FIELD(x),
@@ -229,7 +229,7 @@ static const struct field_table menu_fields = FIELD_TABLE(menu,
 #define STRUCT name
 static const struct field_table name_fields = FIELD_TABLE(name,
     FIELD(round_id), FIELD(ranked), FIELD(waits), FIELD(slot), FIELD(alphabet), FIELD(key),
-    FIELD(points), FIELD(upright), FIELD(has_hand), FIELD(presses), FIELD(refusals),
+    FIELD(points), FIELD(upright), FIELD(has_pointer), FIELD(presses), FIELD(refusals),
     FIELD(letter_count), FIELD(start_tick), FIELD(act_tick), FIELD(held_ticks), FIELD(letter),
     FIELD(x), FIELD(y), FIELD(rest_x), FIELD(rest_y));
 #undef STRUCT
@@ -246,7 +246,7 @@ static const struct field_table player_fields = FIELD_TABLE(player,
     FIELD(foul_tick), FIELD(caught), FIELD(scoops), FIELD(torn_tick), FIELD(first_torn_tick),
     FIELD(sheets_before), FIELD(lost_ticks), FIELD(waited_ticks), FIELD(stance),
     FIELD(offence_tick), FIELD(rest_x_m), FIELD(rest_z_m),
-    FIELD_LATER(level, 1), FIELD_SINCE(9, has_hand, 2), FIELD_SINCE(9, hand, 3));
+    FIELD_LATER(level, 1), FIELD_SINCE(9, has_pointer, 2), FIELD_SINCE(9, pointer, 3));
 #undef STRUCT
 
 #define STRUCT input_validation
@@ -257,7 +257,7 @@ static const struct field_table input_validation_fields = FIELD_TABLE(input_vali
 
 #define STRUCT control
 static const struct field_table control_fields = FIELD_TABLE(control,
-    FIELD(holder), FIELD(grip_tick), FIELD(hand_pose), FIELD(live_y_m),
+    FIELD(holder), FIELD(grip_tick), FIELD(target_pose), FIELD(live_y_m),
     FIELD_STRUCT(validation, &input_validation_fields), FIELD(return_ticks), FIELD(was_lost),
     FIELD(immunity_ticks), FIELD(outlier_ticks), FIELD(rest_ticks));
 #undef STRUCT

@@ -7,7 +7,7 @@
 #include "core/poi/world.h"
 
 /* Ticks between two evaluations of the hint rules: ten evaluations per second. */
-#define LOOK_TICKS 12u
+#define CHECK_TICKS 12u
 /* Distance that a player's poi must move so that its motion counts as deliberate. */
 #define MOVED_M 0.15f
 /* Speed of the ring through the water above which the motion of the poi counts as too fast. */
@@ -75,12 +75,12 @@ static void observe(struct hints *hints, const struct game *game, const struct w
     const struct poi *poi = &world->poi[hints->pupil];
     const uint32_t caught = game->player[hints->pupil].caught;
     const float speed_m_s = v3_length(poi->velocity_m_s);
-    hints->moved_m = f_min(hints->moved_m + speed_m_s * CORE_TICK_S * (float)LOOK_TICKS, 1.0f);
+    hints->moved_m = f_min(hints->moved_m + speed_m_s * CORE_TICK_S * (float)CHECK_TICKS, 1.0f);
     hints->learned |= hints->moved_m > MOVED_M ? BIT(HINT_MOVE) : 0u;
     hints->learned |= poi->immersed > 0.5f ? BIT(HINT_MOVE) | BIT(HINT_DIP) : 0u;
     hints->learned |= fish.held && poi->immersed <= 0.0f ? BIT(HINT_LIFT) : 0u;
     hints->learned |= caught > 0 ? BIT(HINT_LIFT) | BIT(HINT_BOWL) : 0u;
-    hints->learned |= f_abs(game->control[hints->pupil].hand_pose.angles.pitch_rad) > TILT_RAD
+    hints->learned |= f_abs(game->control[hints->pupil].target_pose.angles.pitch_rad) > TILT_RAD
                           ? BIT(HINT_TILT)
                           : 0u;
     hints->haste_tick = hints->haste_cells >= HASTE_CELLS ? game->tick : hints->haste_tick;
@@ -226,7 +226,7 @@ void hints_tick(struct hints *hints, const struct game *game, const struct world
     const bool edge = game->tick == game->phase_tick;
     select_pupil(hints, world);
     watch_paper(hints, world);
-    if (!edge && game->tick % LOOK_TICKS != 0) {
+    if (!edge && game->tick % CHECK_TICKS != 0) {
         return;
     }
     const struct view_of_fish view = view_at_poi(hints, world);
@@ -243,7 +243,7 @@ void hints_tick(struct hints *hints, const struct game *game, const struct world
 void hints_player_tick(struct hints *hints, const struct game *game, const struct world *world)
 {
     watch_paper(hints, world);
-    if (game->tick != game->phase_tick && game->tick % LOOK_TICKS != 0) {
+    if (game->tick != game->phase_tick && game->tick % CHECK_TICKS != 0) {
         return;
     }
     const struct view_of_fish view = view_at_poi(hints, world);

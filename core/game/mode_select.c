@@ -83,8 +83,8 @@ static void point_at_tag(struct game *game, const struct core_config *config, ui
 static uint32_t tag_under_pointer(struct player *player, struct pointer_state pointer,
                                   uint32_t offered, bool upright)
 {
-    player->has_hand = pointer.present;
-    player->hand = pointer.at;
+    player->has_pointer = pointer.present;
+    player->pointer = pointer.at;
     uint32_t nth = 0;
     for (uint32_t tag = 0; tag < MODE_TAG_COUNT && pointer.present; tag++) {
         if (!(offered >> tag & 1u)) {
@@ -120,7 +120,7 @@ static void point_by_pois(struct game *game, const struct world *world,
         struct player *player = &game->player[i];
         if (!world->bowl[i].present || world->poi[i].link != POI_SOURCE_LIVE) {
             player->points = 0;
-            player->has_hand = 0;
+            player->has_pointer = 0;
             /* A poi that appears during the selection was brought to its place, like a finger that
              * touches a tag. It counts as moved. */
             player->stance = config_has_rules(config, 10) ? (uint8_t)STANCE_MOVED : player->stance;

@@ -47,7 +47,7 @@ static void watch_stance(struct player *player, const struct game *game, const s
     } else if (link == POI_SOURCE_LIVE || link == POI_SOURCE_BOT) {
         const vec3 hand_m = link == POI_SOURCE_LIVE
                                 ? game->control[index].validation.newest.position_m
-                                : game->control[index].hand_pose.position_m;
+                                : game->control[index].target_pose.position_m;
         if (player->stance == STANCE_UNSEEN || game->tick - game->phase_tick < FOUL_SETTLE_TICKS) {
             player->stance = STANCE_RESTS;
             player_rests(player, hand_m);

@@ -89,7 +89,7 @@ static void place_all(struct control control[POI_MAX], const struct game *game, 
         const uint8_t link = world->poi[i].link;
         init_poi(game, config, i, &world->poi[i], parking_place(world, i).position_m, seed);
         world->poi[i].link = link;
-        control[i].hand_pose = parking_place(world, i);
+        control[i].target_pose = parking_place(world, i);
         /* Let the next source of the poi take control anew, beginning at the rest position. */
         control[i].holder = POI_SOURCE_ABSENT;
         controller_forget_path(&control[i]);

@@ -94,8 +94,8 @@ static void mix_mark(struct mark_mean *mean, const struct species_mark *m, float
 /* Paints the marks at index `slot` of all coats over `paint`. A mark that several keys have is
  * painted once, at the weighted mean of its places in these keys. A mark that only some keys have
  * is painted with the sum of the weights of these keys as its opacity. */
-static void lay_marks(const struct species *species, const float *share, uint32_t slot,
-                      const struct mark_point *at, struct paint *paint)
+static void paint_marks(const struct species *species, const float *share, uint32_t slot,
+                        const struct mark_point *at, struct paint *paint)
 {
     uint32_t laid = 0; /* Keys whose mark has been painted. Bit i belongs to key i. */
     for (uint32_t key = 0; key < species->card.key_count; key++) {
@@ -136,7 +136,7 @@ static struct paint paint_of_marks(const struct species *species, const float *s
         }
     }
     for (uint32_t slot = 0; slot < slots; slot++) {
-        lay_marks(species, share, slot, &point, &paint);
+        paint_marks(species, share, slot, &point, &paint);
     }
     return paint;
 }

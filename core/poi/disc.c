@@ -163,8 +163,9 @@ float poi_paper_pa(struct poi *poi, const struct basis *axes)
      * acceleration `lift_m_s2`. The third force is the half of the meniscus force that acts on the
      * lower face. */
     const float paper_kg = sheet_grade(poi->sheet.grade)->areal_kg_m2 * area_m2;
-    const float burden_kg = (paper_kg + poi->water_kg + poi->carried_kg) * (1.0f - poi->immersed);
-    const float even_pa = (water_n - (burden_kg * (GRAVITY_M_S2 * axes->up.y + lift_m_s2) +
+    const float carried_kg_in_air =
+        (paper_kg + poi->water_kg + poi->carried_kg) * (1.0f - poi->immersed);
+    const float even_pa = (water_n - (carried_kg_in_air * (GRAVITY_M_S2 * axes->up.y + lift_m_s2) +
                                       0.5f * poi->meniscus_n * axes->up.y)) /
                           area_m2;
     /* A rotation about a diameter of the disc causes water pressure in opposite directions on the

@@ -74,8 +74,8 @@ void poi_spring_tick(struct poi *poi, vec3 target_m, const struct basis *axes, f
     poi->immersed = immersed;
     poi->meniscus_n = poi_meniscus_n(poi, axes->up.y);
     const vec3 down_n = v3_add(poi_weight_n(poi), v3(0.0f, -poi->meniscus_n, 0.0f));
-    vec3 burden_n = vec_basis_to_body(axes, down_n);
-    burden_n.y += poi_kick_n(poi);
+    vec3 carried_n = vec_basis_to_body(axes, down_n);
+    carried_n.y += poi_kick_n(poi);
     /* If the spring force has reached its limit HAND_N_MAX, the force no longer depends on the
      * distance, so the stiffness counts as 0. */
     const vec3 stretch_m = v3_sub(target_m, poi->position_m);
@@ -86,9 +86,9 @@ void poi_spring_tick(struct poi *poi, vec3 target_m, const struct basis *axes, f
     const float plane = PLANE_N_S_M + poi->edge_n_s_m;
     const float normal = damping_normal_n_s_m(poi) + poi->drag_n_s_m;
     const vec3 free_m_s = v3(
-        ring_axis_m_s(mass_kg.x, v.x, spring_n.x + burden_n.x, plane, stiffness),
-        ring_axis_m_s(mass_kg.y, v.y, spring_n.y + (burden_n.y + poi->slam_n), normal, stiffness),
-        ring_axis_m_s(mass_kg.z, v.z, spring_n.z + burden_n.z, plane, stiffness));
+        ring_axis_m_s(mass_kg.x, v.x, spring_n.x + carried_n.x, plane, stiffness),
+        ring_axis_m_s(mass_kg.y, v.y, spring_n.y + (carried_n.y + poi->slam_n), normal, stiffness),
+        ring_axis_m_s(mass_kg.z, v.z, spring_n.z + carried_n.z, plane, stiffness));
     const float catch_up_m_s = f_min(CATCH_UP_PER_S * v3_length(stretch_m), CATCH_UP_M_S);
     poi->velocity_m_s = vec_basis_to_world(axes, v3_limit(free_m_s, poi->pace_m_s + catch_up_m_s));
 }

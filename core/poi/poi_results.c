@@ -91,19 +91,19 @@ void poi_haptics(const struct poi *poi, struct poi_force *force)
      * if they acted at the centre of the ring. */
     const vec3 water_n = poi_water_n(poi, &axes);
     const float kick_n = poi_kick_n(poi);
-    const vec3 burden_n =
+    const vec3 carried_n =
         v3_add(v3_add(poi_weight_n(poi), water_n),
                v3_add(v3(0.0f, -poi->meniscus_n, 0.0f), v3_scale(axes.up, kick_n)));
     /* For a freely moving ring, the force of the hand on the ring is computed from the motion. For
      * a blocked ring, the force is that of the stretched hand spring. */
     const bool is_blocked = poi->stopped || poi->reaction;
-    const vec3 hand = is_blocked ? poi_spring_n(poi, &axes) : v3_sub(moved_n, burden_n);
+    const vec3 hand = is_blocked ? poi_spring_n(poi, &axes) : v3_sub(moved_n, carried_n);
     const vec3 felt_n = v3_scale(hand, -1.0f);
     /* A wall, the floor, a bowl or fish push on a blocked ring at the point of the ring that is
      * nearest to the obstacle. */
     vec3 push_torque = none;
     if (is_blocked) {
-        const vec3 push = v3_limit(v3_sub(moved_n, v3_add(hand, burden_n)), POI_FORCE_N_MAX);
+        const vec3 push = v3_limit(v3_sub(moved_n, v3_add(hand, carried_n)), POI_FORCE_N_MAX);
         const vec3 flat = v3_muladd(push, axes.up, -v3_dot(push, axes.up));
         push_torque =
             v3_cross(v3_scale(v3_normalize_or(flat, none), -poi_outer_radius_m(poi)), push);

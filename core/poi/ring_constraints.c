@@ -35,7 +35,7 @@ static void clamp_coordinate(float *place, float *speed, float low, float high)
  * rim of the tank. A ring beyond the walls or across the rim rests on the rim. The ring's position
  * at the start of the tick decides which case applies. The ring's angles have no influence, because
  * a rotation must never move the ring over a wall. */
-static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 up)
+static void constrain_to_walls(struct poi *poi, const struct tank *tank, vec3 up)
 {
     const vec3 before_m = poi->before_m;
     const float low = poi_half_extent_m(poi, up.y);
@@ -63,7 +63,7 @@ static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 up)
 /* Applies a bowl as a constraint. A ring that comes from above rests on the bowl's mouth. A ring
  * that comes from below stops under the hull. A ring that comes from the side slides around the
  * hull. */
-static void yield_to(struct poi *poi, const struct bowl *bowl, vec3 up)
+static void constrain_to_bowl(struct poi *poi, const struct bowl *bowl, vec3 up)
 {
     const vec3 before_m = poi->before_m;
     const float low = poi_half_extent_m(poi, up.y);
@@ -98,9 +98,9 @@ void poi_constrain(struct poi *poi, const struct tank *tank, const struct bowl *
     const float reach_x = 0.5f * tank->size_m.x + REACH_SIDE_M;
     const float reach_z = 0.5f * tank->size_m.z + REACH_SIDE_M;
     const float floor = poi_half_extent_m(poi, up.y) + FLOOR_GAP_M - tank->size_m.y;
-    yield_to(poi, bowl, up);
+    constrain_to_bowl(poi, bowl, up);
     clamp_coordinate(&at->y, &speed->y, floor, REACH_HEIGHT_M);
-    yield_to_walls(poi, tank, up);
+    constrain_to_walls(poi, tank, up);
     clamp_coordinate(&at->x, &speed->x, -reach_x, reach_x);
     clamp_coordinate(&at->z, &speed->z, -reach_z, reach_z);
 }
@@ -108,7 +108,7 @@ void poi_constrain(struct poi *poi, const struct tank *tank, const struct bowl *
 void poi_constrain_to_bowl(struct poi *poi, const struct bowl *bowl)
 {
     const vec3 free_m = poi->position_m;
-    yield_to(poi, bowl, vec_basis_from_angles(poi->angles).up);
+    constrain_to_bowl(poi, bowl, vec_basis_from_angles(poi->angles).up);
     const vec3 off_m = v3_sub(poi->position_m, free_m);
     poi->stopped |= v3_dot(off_m, off_m) > 0.0f;
 }

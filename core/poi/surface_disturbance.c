@@ -29,7 +29,7 @@
 
 /* Returns the unit vector in the plane of the paper that points up the slope. Writes the sine of
  * the tilt to `slope`. */
-static vec3 uphill(vec3 up, float *slope)
+static vec3 slope_direction(vec3 up, float *slope)
 {
     const vec3 rise = v3_muladd(v3(0.0f, 1.0f, 0.0f), up, -up.y);
     *slope = v3_length(rise);
@@ -42,7 +42,7 @@ static void press_waterline_points(const struct poi *poi, struct water *water, v
                                    vec3 up)
 {
     float slope;
-    const vec3 rise = uphill(up, &slope);
+    const vec3 rise = slope_direction(up, &slope);
     const vec3 along = v3_cross(up, rise);
     const float reach =
         slope > LEVEL_SLOPE ? -poi->position_m.y / (poi_outer_radius_m(poi) * slope) : 1.0f;
@@ -79,7 +79,7 @@ void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 t
     if (poi->drops > 0) {
         /* Drops fall from the lowest point of a tilted ring, or from the sag of a level ring. */
         float slope;
-        const vec3 rise = uphill(up, &slope);
+        const vec3 rise = slope_direction(up, &slope);
         const float off_m = poi_outer_radius_m(poi) * f_min(1.0f, slope / LEVEL_SLOPE);
         water_press(water, tank_size_m, v3_muladd(poi->position_m, rise, -off_m), DROP_RADIUS_M,
                     DROP_M * (float)poi->drops);

@@ -51,7 +51,7 @@ static float tension_share(const struct poi *poi)
 /* Returns the damage that the highest tension does in one tick. The damage is the tension, as a
  * fraction of the strength of fresh wet paper, to the power SHEET_DAMAGE_EXPONENT. The result is
  * positive for a high load and negative for a moderate load. */
-static float haste_in_tick(const struct poi *poi)
+static float damage_in_tick(const struct poi *poi)
 {
     const float share = tension_share(poi), square = share * share, fourth = square * square;
     const float wear = fourth * fourth * square;
@@ -119,7 +119,7 @@ void tear_clip_tick(struct tear_clip *clip, const struct poi *poi, uint32_t tick
 {
     CORE_ASSERT(clip->next < TEAR_CLIP_FRAMES && clip->count <= TEAR_CLIP_FRAMES);
     if (clip->cause == TEAR_NONE) {
-        clip->haste += haste_in_tick(poi);
+        clip->haste += damage_in_tick(poi);
         clip->cause = tear_cause_of(clip, poi);
     }
     if (tick % TEAR_CLIP_FRAME_TICKS != 0 || clip->after == TEAR_CLIP_FRAMES_AFTER) {

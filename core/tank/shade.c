@@ -19,13 +19,13 @@
  * attraction. */
 #define FULL_LENGTHS_PER_S 0.1f
 /* Width of the rim around a shade in which the shade already startles fish (design value). */
-#define FRIGHT_RIM_M 0.02f
+#define STARTLE_RIM_M 0.02f
 /* Time in which the shade of a hand-held fan raises the alarm of a fish from 0 to 1. The nerve
  * latency (startle.h) begins afterwards. */
-#define FRIGHT_TIME_S 0.04f
+#define STARTLE_TIME_S 0.04f
 /* A shade that takes this fraction of the light causes the full alarm. Darker shades cause no more
  * alarm. */
-#define FRIGHT_PLAIN_DARK 0.60f
+#define STARTLE_PLAIN_DARK 0.60f
 
 void shade_tick(struct shade *shade, const struct shade_cast *cast, float dt_s)
 {
@@ -67,7 +67,7 @@ bool shade_covers(const struct shade_cast *cast, vec3 position_m)
     return cast->present && shade_distance_m(cast, position_m) < cast->radius_m;
 }
 
-static bool gathers(const struct shade *shade, const struct behavior_params *params)
+static bool is_gathering(const struct shade *shade, const struct behavior_params *params)
 {
     return shade->cast.present && shade->still_s >= params->shade_dwell_s;
 }
@@ -77,7 +77,7 @@ float shade_pull_m_s(const struct shade *shade, const struct behavior_params *pa
 {
     CORE_ASSERT(distance_m >= 0.0f);
     const float radius_m = shade->cast.radius_m;
-    if (!gathers(shade, params)) {
+    if (!is_gathering(shade, params)) {
         return 0.0f;
     }
     const float reach_m = f_max(0.0f, SHADE_FIELD_RADII * radius_m - distance_m);
@@ -93,7 +93,7 @@ bool shade_draw(const struct shade *shades, uint32_t count, const struct behavio
     vec3 pull_m_s = { 0.0f, 0.0f, 0.0f };
     for (uint32_t i = 0; i < count; i++) {
         const struct shade_cast *cast = &shades[i].cast;
-        if (!gathers(&shades[i], params)) {
+        if (!is_gathering(&shades[i], params)) {
             continue;
         }
         const float distance_m = shade_distance_m(cast, fish->position_m);
@@ -133,7 +133,7 @@ float shade_alarm(const struct shade *shade, const struct behavior_params *param
     const struct shade_cast *cast = &shade->cast;
     const bool is_sudden = shade->age_s <= SHADE_NEW_S || shade->edge_m_s > SHADE_MOVES_M_S;
     if (!params->shade_frights || !cast->present || !is_sudden ||
-        shade_distance_m(cast, position_m) > cast->radius_m + FRIGHT_RIM_M) {
+        shade_distance_m(cast, position_m) > cast->radius_m + STARTLE_RIM_M) {
         return 0.0f;
     }
     /* The alarm is proportional to the time since the fish's last decision, or to the age of the
@@ -141,6 +141,6 @@ float shade_alarm(const struct shade *shade, const struct behavior_params *param
      * of a poi (paper scoop) causes a twentieth of the alarm that the shade of a hand-held fan
      * causes. */
     const float share = f_clamp(
-        (cast->dark - SHADE_SUDDEN_DARK) / (FRIGHT_PLAIN_DARK - SHADE_SUDDEN_DARK), 0.0f, 1.0f);
-    return (share * f_sqrt(share)) * f_min(dt_s, shade->age_s) / FRIGHT_TIME_S;
+        (cast->dark - SHADE_SUDDEN_DARK) / (STARTLE_PLAIN_DARK - SHADE_SUDDEN_DARK), 0.0f, 1.0f);
+    return (share * f_sqrt(share)) * f_min(dt_s, shade->age_s) / STARTLE_TIME_S;
 }

@@ -138,7 +138,7 @@ static const char *parse_time(const char *word, char end, uint32_t *out_us)
 
 /* Parses a line: CHIP:OFFSET if only digits follow the last colon, otherwise the name of a line.
  * Returns false if the text is empty or too long. */
-static bool reads_line(char *word, struct gpio_wire *wire)
+static bool parse_line(char *word, struct gpio_wire *wire)
 {
     CORE_ASSERT(wire->offset == 0);
     char *colon = strrchr(word, ':'), *name = wire->name;
@@ -157,7 +157,7 @@ static bool reads_line(char *word, struct gpio_wire *wire)
     return true;
 }
 
-static bool reads_level_or_bias(const char *word, struct gpio_wire *wire, bool *has_bias)
+static bool parse_level_or_bias(const char *word, struct gpio_wire *wire, bool *has_bias)
 {
     static const char *const biases[] = {
         [GPIO_BIAS_AS_IS] = "as-is",
@@ -181,7 +181,7 @@ static bool reads_level_or_bias(const char *word, struct gpio_wire *wire, bool *
 
 /* Parses one of the options debounce=, window= and pulse=. Returns false if the time is invalid or
  * the role does not have the option. */
-static bool reads_timing(const char *word, enum gpio_role role, struct gpio_wire *wire)
+static bool parse_timing(const char *word, enum gpio_role role, struct gpio_wire *wire)
 {
     CORE_ASSERT(role < GPIO_ROLE_COUNT);
     if (strip(&word, "debounce=")) {
@@ -200,7 +200,7 @@ static bool reads_timing(const char *word, enum gpio_role role, struct gpio_wire
 }
 
 /* Writes the reason why the word is invalid to `why`. Returns false. */
-static bool refuse_word(const char *word, enum gpio_role role, char why[HAL_TEXT_SIZE])
+static bool reject_word(const char *word, enum gpio_role role, char why[HAL_TEXT_SIZE])
 {
     CORE_ASSERT(role < GPIO_ROLE_COUNT);
     const char *name = roles[role].name, *at = word;
@@ -244,15 +244,15 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
     const bool rests = gpio_role_is_input(role) || gpio_role_begins_active(role);
     struct gpio_wire wire = { .wired = true, .active_low = rests };
     bool has_bias = !rests;
-    if (!reads_line(strsep(&rest, ","), &wire)) {
+    if (!parse_line(strsep(&rest, ","), &wire)) {
         return gpio_config_error(why,
                                  "%s: a line's name or CHIP:OFFSET is wanted, of 1 to %u letters",
                                  roles[role].name, GPIO_TEXT_SIZE - 1u);
     }
     while (rest && *rest) {
         const char *word = strsep(&rest, ",");
-        if (!reads_level_or_bias(word, &wire, &has_bias) && !reads_timing(word, role, &wire)) {
-            return refuse_word(word, role, why);
+        if (!parse_level_or_bias(word, &wire, &has_bias) && !parse_timing(word, role, &wire)) {
+            return reject_word(word, role, why);
         }
     }
     /* With the default bias, a button whose wire is disconnected reads as released, and a coin lock

@@ -96,8 +96,8 @@ void gpio_thread_lose(struct gpio_thread *reader)
 
 /* Writes a text such as "; no start, coin (BTN_START: there is no GPIO chip in /dev)". The text
  * lists all lines of `missing` and gives the reason for the first of these lines. */
-static void say_missing(uint32_t missing, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE],
-                        char out[HAL_TEXT_SIZE])
+static void append_missing(uint32_t missing, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE],
+                           char out[HAL_TEXT_SIZE])
 {
     CORE_ASSERT(missing >> GPIO_ROLE_COUNT == 0);
     const char *first = "";
@@ -131,7 +131,7 @@ void gpio_thread_describe(struct gpio_thread *reader)
             reader->why[role][0] = '\0';
         }
     }
-    say_missing(missing | failing, reader->why, text);
+    append_missing(missing | failing, reader->why, text);
     snprintf(reader->text, sizeof reader->text, "%.30s: %u of %u lines%.110s",
              reader->lines.ops->describe(reader->lines.self),
              (uint32_t)__builtin_popcount(reader->had), gpio_config_count(reader->wires), text);

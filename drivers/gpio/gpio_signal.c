@@ -63,7 +63,7 @@ struct gpio_edge_filter gpio_edge_filter_begin(uint64_t debounce_ns, bool active
 }
 
 /* Returns true while the level that was polled last differs from the level after the last edge. */
-static bool is_doubted(const struct gpio_poll_edges *other)
+static bool has_conflict(const struct gpio_poll_edges *other)
 {
     /* The times of the first poll (`since_ns`) and of the last poll (`last_ns`) are either both set
      * or both NEVER. */
@@ -84,7 +84,7 @@ static bool is_proof(const struct gpio_poll_edges *other)
 static void discard_polls(struct gpio_edge_filter *input, bool is_explained)
 {
     const struct gpio_poll_edges *other = &input->other;
-    input->lost += !is_explained && is_proof(other) && !is_doubted(other);
+    input->lost += !is_explained && is_proof(other) && !has_conflict(other);
     input->other = no_polls;
 }
 
@@ -92,8 +92,8 @@ static void discard_polls(struct gpio_edge_filter *input, bool is_explained)
 
 /* Applies an edge event that arrived after the change of level was polled. The direction of the
  * event is ignored, because the polled level is more reliable. */
-static bool take_late(struct gpio_edge_filter *input, uint64_t time_ns,
-                      struct debounce_edge_time *out)
+static bool accept_late_pulse(struct gpio_edge_filter *input, uint64_t time_ns,
+                              struct debounce_edge_time *out)
 {
     struct debounce *debounce = &input->debounce;
     const bool before = debounce->raw;
@@ -152,8 +152,8 @@ bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edg
         return false;
     }
     if (edge->lost_before == 0 && is_proof(other) && edge->time_ns <= other->since_ns &&
-        (!changes || !is_doubted(other))) {
-        return take_late(input, edge->time_ns, out);
+        (!changes || !has_conflict(other))) {
+        return accept_late_pulse(input, edge->time_ns, out);
     }
     discard_polls(input, false);
     if (edge->lost_before == 0 && !changes) {
@@ -172,7 +172,7 @@ bool gpio_edge_filter_level(struct gpio_edge_filter *input, uint64_t now_ns, boo
     struct gpio_poll_edges *other = &input->other;
     bool turned = false;
     if (active != input->debounce.raw) {
-        if (!is_doubted(other)) {
+        if (!has_conflict(other)) {
             discard_polls(input, false);
             other->since_ns = now_ns;
         }
@@ -185,7 +185,7 @@ bool gpio_edge_filter_level(struct gpio_edge_filter *input, uint64_t now_ns, boo
         input->blinked_ns = NEVER;
         input->lost++;
         *other = no_polls;
-    } else if (is_doubted(other)) {
+    } else if (has_conflict(other)) {
         other->back_ns = now_ns;
         if (!is_proof(other)) {
             *other = no_polls;
@@ -196,8 +196,8 @@ bool gpio_edge_filter_level(struct gpio_edge_filter *input, uint64_t now_ns, boo
 
 uint64_t gpio_edge_filter_due_ns(const struct gpio_edge_filter *input)
 {
-    return is_doubted(&input->other) ? input->other.since_ns + GPIO_UNDER_WAY_NS
-                                     : gpio_debounce_due_ns(&input->debounce);
+    return has_conflict(&input->other) ? input->other.since_ns + GPIO_UNDER_WAY_NS
+                                       : gpio_debounce_due_ns(&input->debounce);
 }
 
 uint64_t gpio_edge_filter_known_ns(const struct gpio_edge_filter *input, uint64_t now_ns)
@@ -205,8 +205,8 @@ uint64_t gpio_edge_filter_known_ns(const struct gpio_edge_filter *input, uint64_
     const struct debounce *debounce = &input->debounce;
     const uint64_t pending_ns = debounce->raw != debounce->stable ? debounce->since_ns : now_ns;
     const uint64_t known_ns = pending_ns < now_ns ? pending_ns : now_ns;
-    return is_doubted(&input->other) && input->other.since_ns < known_ns ? input->other.since_ns
-                                                                         : known_ns;
+    return has_conflict(&input->other) && input->other.since_ns < known_ns ? input->other.since_ns
+                                                                           : known_ns;
 }
 
 /* ---- Coins ---------------------------------------------------------------------------------- */

@@ -126,7 +126,7 @@ static uint64_t input_due_ns(const struct gpio_thread *reader, enum gpio_role ro
     if (gpio_role_is_coin(role)) {
         const uint32_t line = role - GPIO_COIN;
         due_ns = due_ns == UINT64_MAX ? gpio_coin_due_ns(&reader->coin[line]) : due_ns;
-        earlier(&due_ns, reader->coin_look_ns[line]);
+        earlier(&due_ns, reader->coin_poll_ns[line]);
     }
     return due_ns;
 }
@@ -166,7 +166,7 @@ static void settle_inputs(struct gpio_thread *reader, uint32_t touched)
         const int level = lines->ops->level(lines->self, role);
         struct debounce_edge_time turn;
         if (gpio_role_is_coin(role)) {
-            reader->coin_look_ns[role - GPIO_COIN] = now + GPIO_COIN_POLL_NS;
+            reader->coin_poll_ns[role - GPIO_COIN] = now + GPIO_COIN_POLL_NS;
         }
         if (level == HAL_ERR_GONE) {
             gpio_thread_lose(reader);

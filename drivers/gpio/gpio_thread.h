@@ -277,7 +277,7 @@ struct gpio_thread {
     uint64_t retry_ns; /* Time at which missing lines are requested next. */
     /* Time at which the levels of all lines are read next. */
     uint64_t watch_ns;
-    uint64_t coin_look_ns[COIN_LINE_COUNT]; /* Time at which each coin line is polled next. */
+    uint64_t coin_poll_ns[COIN_LINE_COUNT]; /* Time at which each coin line is polled next. */
     struct gpio_edge_filter inputs[GPIO_INPUT_COUNT];
     struct coin_mech coin[COIN_LINE_COUNT];
     struct pulse_train trains[GPIO_OUTPUT_COUNT];

@@ -196,7 +196,7 @@ static bool is_axis_role(uint8_t role)
     return role >= HID_ROLE_X && role <= HID_ROLE_TILT;
 }
 
-static bool manner_fits(const struct hid_binding *binding)
+static bool is_allowed_manner(const struct hid_binding *binding)
 {
     switch (binding->manner) {
     case HID_BINDING_POSITION:
@@ -239,7 +239,7 @@ static bool binding_is_sound(const struct hid_binding *binding,
         array++;
     }
     return binding->role > HID_ROLE_NONE && binding->role < HID_ROLE_COUNT &&
-           manner_fits(binding) && binding->bit_size >= 1 && binding->bit_size <= 32 &&
+           is_allowed_manner(binding) && binding->bit_size >= 1 && binding->bit_size <= 32 &&
            end <= descriptor->report_bits[binding->report_id] && span != 0 && binding->dead >= 0 &&
            binding->dead < width &&
            (binding->usage == 0 ||

@@ -159,7 +159,7 @@ static struct hid_field_location find_on(const struct surface *on, hid_usage usa
 /* Returns the score of a control surface. 0 means that the surface cannot control the poi.
  * Multi-axis controllers and pens have the highest scores, and relative mice and touch pads the
  * lowest. */
-static uint32_t worth_of(const struct surface *surface)
+static uint32_t score_of(const struct surface *surface)
 {
     /* The score of a touch pad is below that of the mouse in the same descriptor. The touch pad
      * sends only mouse reports until the host sets its Input Mode (usage 0d:52, a feature report),
@@ -365,7 +365,7 @@ static uint32_t best_surface(const struct hid_descriptor *descriptor, struct sur
         const struct hid_field_location y = find_on(&surface, USAGE_Y, false);
         const bool is_plane = has_x && y.group && is_axis(y.group);
         const bool is_usable = is_plane || (has_hat && is_switch_stick(&surface));
-        const uint32_t worth = is_usable ? worth_of(&surface) : 0;
+        const uint32_t worth = is_usable ? score_of(&surface) : 0;
         if (worth > best_worth) {
             *out = surface;
             best_worth = worth;

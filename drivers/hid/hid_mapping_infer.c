@@ -54,7 +54,7 @@ static int64_t rest_of(const struct learn_field *field)
 
 /* Returns the largest deflection of a field from its rest value in the learning step `step`. The
  * sign is the direction of the deflection. */
-static int64_t way_in(const struct learn_field *field, enum learn_step step)
+static int64_t deflection_in(const struct learn_field *field, enum learn_step step)
 {
     CORE_ASSERT(step < LEARN_STEP_COUNT);
     const int64_t down = field->low[step] - rest_of(field);
@@ -128,7 +128,8 @@ best_press(const struct hid_learn *learn, const struct learn_field *x, const str
         const struct learn_field *field = &learn->field[i];
         const bool is_relative =
             hid_mapping_infer_is_relative(hid_mapping_infer_group(learn, field));
-        const float share = hid_mapping_infer_share_of(learn, field, way_in(field, LEARN_DIP));
+        const float share =
+            hid_mapping_infer_share_of(learn, field, deflection_in(field, LEARN_DIP));
         if (field != x && field != z && !is_relative && share > best_share) {
             best = field;
             best_share = share;
@@ -157,7 +158,8 @@ float hid_mapping_infer_clarity(const struct hid_learn *learn)
         const enum learn_step step = (enum learn_step)learn->step;
         const bool counts =
             step == LEARN_DIP || hid_mapping_infer_group(learn, field)->bit_size >= 4;
-        best = counts ? f_max(best, hid_mapping_infer_share_of(learn, field, way_in(field, step)))
+        best = counts ? f_max(best,
+                              hid_mapping_infer_share_of(learn, field, deflection_in(field, step)))
                       : best;
     }
     return best_key(learn) ? 1.0f : f_min(1.0f, best / CLEAR_WAY);
@@ -287,7 +289,7 @@ bool hid_mapping_infer_map(struct hid_learn *learn)
         struct hid_binding binding = binding_of(learn, press, HID_ROLE_DIP);
         binding.manner = HID_BINDING_PRESS;
         binding.rest = rest_of(press);
-        binding.full = rest_of(press) + way_in(press, LEARN_DIP);
+        binding.full = rest_of(press) + deflection_in(press, LEARN_DIP);
         hid_mapping_auto_bits(&learn->map, binding);
     } else {
         const struct hid_group *group = &learn->descriptor.group[key->group];

@@ -185,8 +185,8 @@ void hid_mapping_store_set_error_sink(struct hid_mapping_store *store,
 /* Passes a job to the writer thread: deletes the file if `forget` is true, otherwise writes it.
  * Must only be called while no job is pending. Returns HAL_OK, or HAL_ERR_IO if the job is
  * impossible. */
-static int give_job(struct hid_mapping_store *store, const struct hid_mapping_store_entry *entry,
-                    bool forget)
+static int submit_job(struct hid_mapping_store *store, const struct hid_mapping_store_entry *entry,
+                      bool forget)
 {
     char name[HID_MAPPING_STORE_NAME_SIZE];
     CORE_ASSERT(!store->has_job);
@@ -259,7 +259,7 @@ int hid_mapping_store_put(struct hid_mapping_store *store, const struct hid_iden
         memcpy(entry->serial, identity->serial, sizeof entry->serial);
     }
     entry->map = *map;
-    return give_job(store, entry, false);
+    return submit_job(store, entry, false);
 }
 
 int hid_mapping_store_forget(struct hid_mapping_store *store, const struct hid_identity *identity)
@@ -272,7 +272,7 @@ int hid_mapping_store_forget(struct hid_mapping_store *store, const struct hid_i
         return HAL_OK;
     }
     struct hid_mapping_store_entry *entry = &store->entry[index];
-    const int result = give_job(store, entry, true);
+    const int result = submit_job(store, entry, true);
     *entry = store->entry[--store->count];
     return result;
 }

@@ -210,7 +210,7 @@ void usb_device_remove(struct usb_device *device)
 #define DESCRIPTOR_MS 1000u
 #define REQUEST_MS 250u
 
-static enum usb_device_fault trouble_of(int error)
+static enum usb_device_fault fault_of_error(int error)
 {
     const bool is_away = error == LIBUSB_ERROR_NO_DEVICE || error == LIBUSB_ERROR_NOT_FOUND;
     return error == LIBUSB_SUCCESS        ? USB_FINE
@@ -306,12 +306,12 @@ enum usb_device_fault usb_device_open(struct usb_device *device, struct usb_eval
     CORE_ASSERT(device->verdict == USB_ASK || device->verdict == USB_PLAYS);
     libusb_device_handle *handle;
     *out = NULL;
-    enum usb_device_fault trouble = trouble_of(libusb_open(device->device, &handle));
+    enum usb_device_fault trouble = fault_of_error(libusb_open(device->device, &handle));
     if (trouble != USB_FINE) {
         return trouble;
     }
     libusb_set_auto_detach_kernel_driver(handle, 1);
-    trouble = trouble_of(libusb_claim_interface(handle, device->pipe.interface_number));
+    trouble = fault_of_error(libusb_claim_interface(handle, device->pipe.interface_number));
     if (trouble == USB_FINE) {
         trouble = inspect_usb_device(handle, device, evaluation);
         if (trouble == USB_FINE && device->verdict == USB_PLAYS) {

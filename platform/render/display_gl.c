@@ -15,8 +15,8 @@
 #define WINDOW_HEIGHT 720
 /* Interval in ns between two checks whether a screen was plugged in or unplugged. One check takes
  * 40 microseconds. */
-#define LOOK_NS 1000000000ull
-#define LOOKS 2u
+#define CONNECTOR_PERIOD_NS 1000000000ull
+#define CONNECTOR_READS 2u
 /* Number of frames that are drawn before the growth lab or the album is captured as a picture.
  * During these frames, the renderer finishes painting the fish at full resolution. */
 #define PAINT_DRAWS 20u
@@ -143,14 +143,14 @@ static int create_context(struct display_gl *display)
  * picture's quality. Called after each frame. */
 static int report_to_governor(struct display_gl *display, const struct scene *scene)
 {
-    const uint32_t looks = atomic_load(&display->thermal.looks);
+    const uint32_t measured = atomic_load(&display->thermal.measured_count);
     if (!display->is_governed || display->renderer.transform.light <= 0.0f) {
         /* The picture is black during the configured night hours. A black picture costs nothing to
          * draw, so its frame time would mislead the quality governor. */
         return HAL_OK;
     }
-    if (looks != display->heat_looks) {
-        display->heat_looks = looks;
+    if (measured != display->heat_count) {
+        display->heat_count = measured;
         quality_governor_set_temperature(&display->governor,
                                          atomic_load(&display->thermal.margin_mdeg));
     }
@@ -175,8 +175,8 @@ static int display_open(void *self)
     const char *const env = SDL_getenv("SDL_VIDEODRIVER");
     display->is_bare = !display->config.off_screen && env && strcasecmp(env, "kmsdrm") == 0;
     display->plugged = screen_connectors(display->config.sockets);
-    display->looked_ns = display_gl_now_ns();
-    display->changed_looks = 0;
+    display->connectors_read_ns = display_gl_now_ns();
+    display->changed_reads = 0;
     if (display->is_bare && display->plugged.count > 0 && display->plugged.connected == 0) {
         /* The function returns before it initializes SDL, because SDL takes long to detect that no
          * screen is connected. */
@@ -214,19 +214,19 @@ static int display_open(void *self)
 }
 
 /* Closes the display if the set of connectors with a screen has changed, because drawing on an
- * absent screen could block. The change must persist in LOOKS consecutive reads, because the
- * contacts of a plug close and open several times while the plug is pushed in. */
+ * absent screen could block. The change must persist in CONNECTOR_READS consecutive reads,
+ * because the contacts of a plug close and open several times while the plug is pushed in. */
 static void watch_plugs(struct display_gl *display)
 {
     const uint64_t now = display_gl_now_ns();
-    if (!display->is_bare || now - display->looked_ns < LOOK_NS) {
+    if (!display->is_bare || now - display->connectors_read_ns < CONNECTOR_PERIOD_NS) {
         return;
     }
-    display->looked_ns = now;
+    display->connectors_read_ns = now;
     const struct connectors plugged = screen_connectors(display->config.sockets);
     const bool is_other = plugged.count > 0 && plugged.which != display->plugged.which;
-    display->changed_looks = (uint8_t)(is_other ? display->changed_looks + 1u : 0u);
-    if (display->changed_looks >= LOOKS) {
+    display->changed_reads = (uint8_t)(is_other ? display->changed_reads + 1u : 0u);
+    if (display->changed_reads >= CONNECTOR_READS) {
         display_gl_release(display);
         display_gl_fail(display, "screen",
                         plugged.connected ? "a different screen was connected"

@@ -60,16 +60,16 @@ struct display_gl {
     bool is_bare;
     struct connectors plugged; /* Connectors that had a screen when the display was opened. */
     /* Time of the last read of the connectors, in ns of the monotonic clock. */
-    uint64_t looked_ns;
+    uint64_t connectors_read_ns;
     /* Number of consecutive reads in which the connectors with a screen differed from `plugged`. */
-    uint8_t changed_looks;
+    uint8_t changed_reads;
     void (*on_lost)(void *context);
     void *on_lost_context;
     struct governor governor;
     struct thermal thermal;
-    /* Value of the counter `thermal.looks` (number of temperature measurements) when the governor
-     * last received a temperature. */
-    uint32_t heat_looks;
+    /* Value of the counter `thermal.measured_count` (number of temperature measurements) when
+     * the governor last received a temperature. */
+    uint32_t heat_count;
     /* True while the quality governor (quality.h) chooses the picture's quality. */
     bool is_governed;
     char text[HAL_TEXT_SIZE];

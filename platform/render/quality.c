@@ -194,7 +194,7 @@ uint32_t quality_governor_frame(struct governor *governor, uint64_t now_ns, bool
         governor->sum_ns += frame_ns;
         governor->count++;
     }
-    if (governor->sum_ns >= GOVERNOR_LOOK_S * NS_PER_S) {
+    if (governor->sum_ns >= GOVERNOR_PERIOD_S * NS_PER_S) {
         const uint64_t mean_ns = governor->sum_ns / governor->count;
         governor->sum_ns = governor->count = 0;
         if (mean_ns * 100u > governor->turn_ns * governor->turns * LATE_PERCENT) {
@@ -205,7 +205,7 @@ uint32_t quality_governor_frame(struct governor *governor, uint64_t now_ns, bool
             governor->is_trying = false;
             governor->timely_s = 0;
         } else {
-            governor->timely_s += GOVERNOR_LOOK_S;
+            governor->timely_s += GOVERNOR_PERIOD_S;
             if (governor->is_trying && governor->timely_s >= HELD_S) {
                 governor->is_trying = false;
                 governor->patience_s = GOVERNOR_PATIENCE_S;

@@ -63,7 +63,7 @@ struct quality quality_choose(const struct quality_request *request);
 struct quality quality_lower(const struct quality *best, uint32_t step);
 
 /* Measurement interval in seconds. The mean frame duration is computed over this interval. */
-#define GOVERNOR_LOOK_S 2u
+#define GOVERNOR_PERIOD_S 2u
 /* Initial number of seconds without late frames after which a finer quality step is tried. */
 #define GOVERNOR_PATIENCE_S 30u
 /* Maximum number of seconds without late frames before a finer quality step is tried, about half an

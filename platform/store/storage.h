@@ -240,10 +240,10 @@ struct storage {
     uint64_t room;
     /* Time of the next attempt to open the database, on the monotonic clock. 0 means immediately.
      * Used by the store's thread only. */
-    int64_t look_due_ms;
+    int64_t retry_due_ms;
     /* Current interval between two attempts to open the database. Used by the store's thread
      * only. */
-    int64_t look_wait_ms;
+    int64_t retry_wait_ms;
     /* Identities of the database, its log and the log's index. Used by the store's thread only. */
     struct storage_place places[STORAGE_PLACES];
     /* True if the open database is no longer at its path. Used by the store's thread only. */

@@ -137,7 +137,7 @@ static void log_back(const struct storage *storage)
 /* Returns a hash of the attributes of the file and its memory card: identity, size, change time,
  * access rights, read-only mount. Returns 0 for a custom vfs, whose files are not visible to
  * stat(). */
-static uint64_t sight_of(const struct storage *storage)
+static uint64_t attributes_hash(const struct storage *storage)
 {
     struct stat file = { 0 };
     struct statvfs card = { 0 };
@@ -256,7 +256,7 @@ static int probe(struct storage *storage)
  * open file that moved. The first call after a loss returns false and reports the loss, so that the
  * status shows each loss even if the next call opens the database again. During close() the first
  * call may also return true, because there is no later call. */
-static bool leave_moved(struct storage *storage)
+static bool may_reopen_moved(struct storage *storage)
 {
     const bool is_first = !storage->moved;
     if (is_first) {
@@ -287,36 +287,38 @@ bool storage_has_card(struct storage *storage)
         return true;
     }
     const bool has_left = storage->moved || (storage->file.db && storage_has_moved(storage));
-    if (has_left && !leave_moved(storage)) {
+    if (has_left && !may_reopen_moved(storage)) {
         return false;
     }
     /* The next attempt waits for the end of the interval. The attempt is made earlier if the last
      * write failed because the memory card was full and the card has more free space now. */
-    if (!storage->path[0] || !(storage_now_ms() >= storage->look_due_ms ||
+    if (!storage->path[0] || !(storage_now_ms() >= storage->retry_due_ms ||
                                atomic_load(&storage->late.state) == OFFLINE_CREDITS_NEW ||
-                               sight_of(storage) != storage->sight ||
+                               attributes_hash(storage) != storage->sight ||
                                (atomic_load(&storage->error) == SQLITE_FULL &&
                                 room_of(storage) >= storage->room + STORAGE_ROOM_MORE))) {
         return false;
     }
     storage_close_file(storage);
     const int code = probe(storage);
-    const uint64_t sight = sight_of(storage);
-    const int64_t longer_ms = 2 * storage->look_wait_ms;
+    const uint64_t sight = attributes_hash(storage);
+    const int64_t longer_ms = 2 * storage->retry_wait_ms;
     /* The following codes mean that the whole file was read. Only these codes increase the interval
      * to the next attempt, because attempts with other results are cheap. */
     if (!(code == LEDGER_FILE_FOREIGN || code == LEDGER_FILE_NEWER || code == LEDGER_FILE_MOVED ||
           code == SQLITE_READONLY || code == SQLITE_FULL || code == SQLITE_CORRUPT ||
           code == SQLITE_NOTADB)) {
-        storage->look_wait_ms = 0;
-    } else if (storage->look_wait_ms == 0 || sight != storage->sight) {
-        storage->look_wait_ms = STORAGE_RETRY_MS;
+        storage->retry_wait_ms = 0;
+    } else if (storage->retry_wait_ms == 0 || sight != storage->sight) {
+        storage->retry_wait_ms = STORAGE_RETRY_MS;
     } else {
-        storage->look_wait_ms = longer_ms < STORAGE_RETRY_MS_MAX ? longer_ms : STORAGE_RETRY_MS_MAX;
+        storage->retry_wait_ms =
+            longer_ms < STORAGE_RETRY_MS_MAX ? longer_ms : STORAGE_RETRY_MS_MAX;
     }
     storage->sight = sight;
     storage->room = room_of(storage);
-    storage->look_due_ms = storage->look_wait_ms > 0 ? storage_now_ms() + storage->look_wait_ms : 0;
+    storage->retry_due_ms =
+        storage->retry_wait_ms > 0 ? storage_now_ms() + storage->retry_wait_ms : 0;
     if (code != SQLITE_OK || storage_unwritten(storage) == 0) {
         /* The result is stored only if no entries wait in the queue. Otherwise the caller writes
          * these entries next, and the result of that write is stored. */

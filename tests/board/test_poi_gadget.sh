@@ -95,7 +95,7 @@ END
     [ $status -eq 0 ] && holds functions/hid.poi/interval 4
 }
 
-tells() { # PATTERN CODE: The status command prints PATTERN.
+status_prints() { # PATTERN CODE: The status command prints PATTERN.
     script status
     local status=$?
     cat "$work/words"
@@ -105,13 +105,13 @@ tells() { # PATTERN CODE: The status command prints PATTERN.
 plugs() {
     starts || return 1
     echo 240:0 >"$g/functions/hid.poi/dev"
-    tells "0x1209:0x0001.*configured, reports through /dev/hidg0" 0 || return 1
-    script detach && holds UDC '' && tells detached 1 || return 1
+    status_prints "0x1209:0x0001.*configured, reports through /dev/hidg0" 0 || return 1
+    script detach && holds UDC '' && status_prints detached 1 || return 1
     script attach && holds UDC fe980000.usb
 }
 
 stops() {
-    starts && script stop && [ ! -e "$g" ] && tells 'no gadget' 1 && script stop
+    starts && script stop && [ ! -e "$g" ] && status_prints 'no gadget' 1 && script stop
 }
 
 starts_once() {

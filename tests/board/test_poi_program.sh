@@ -141,11 +141,11 @@ hold_at() {
             printf "%.0f\n", (length_mm - 200) / 0.25 >(folder "/in_voltage" (i - 1) "_raw")
         } }'
 }
-asked() { # PATTERN TIMES: Waits up to 10 s until calibrate has asked TIMES times.
+prompted() { # PATTERN TIMES: Waits up to 10 s until calibrate has asked TIMES times.
     local tries=0
-    until [ "$(grep -c "$1" "$work/asked")" -ge "$2" ]; do
+    until [ "$(grep -c "$1" "$work/prompts")" -ge "$2" ]; do
         tries=$((tries + 1))
-        [ $tries -lt 200 ] || { cat "$work/asked"; return 1; }
+        [ $tries -lt 200 ] || { cat "$work/prompts"; return 1; }
         sleep 0.05
     done
 }
@@ -153,22 +153,22 @@ calibrates() {
     mkfifo "$work/hand"
     hold_at 0 0 0
     "$poi" calibrate --config board/poi-gadget/poi.conf --root "$work/board" <"$work/hand" \
-        >"$work/lines" 2>"$work/asked" &
+        >"$work/lines" 2>"$work/prompts" &
     local pid=$! mark=0
     exec 8>"$work/hand"
     while read -r x y z; do
         mark=$((mark + 1))
-        asked '^mark' $mark || return 1
+        prompted '^mark' $mark || return 1
         hold_at "$x" "$y" "$z"
         echo >&8
     done <<<"-300 0 -200
 300 0 -200
 0 0 200
 0 200 0"
-    asked 'lay the poi' 1 || return 1
+    prompted 'lay the poi' 1 || return 1
     echo >&8
     exec 8>&-
-    wait $pid || { cat "$work/asked"; return 1; }
+    wait $pid || { cat "$work/prompts"; return 1; }
     cat "$work/lines"
     awk '/^wire/ { n++; if (($3 - 200) ^ 2 > 0.3 || ($4 - 0.25) ^ 2 > 1e-6) exit 1 } END { exit n != 3 }' \
         "$work/lines"

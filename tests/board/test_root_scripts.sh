@@ -51,8 +51,8 @@ check 'the maintainer scripts write no file' writes_little
 # ---- tmpfiles and sysusers: the tools of systemd; no line refers to a name inside the folders of the service user
 flat() { ! grep -vE '^(#|$|d /var/(lib|cache)/kingyo [0-9]{4} kingyo kingyo (-|60d)$)' board/tmpfiles/kingyo.conf; }
 check 'tmpfiles creates the two folders and no name inside them' flat
-nobody() { ! grep -vE '^(#|$|u kingyo - "[^"]*" /var/lib/kingyo$|m kingyo [a-z]+$)' board/sysusers/kingyo.conf; }
-check 'sysusers creates a user without a shell' nobody
+no_other_user() { ! grep -vE '^(#|$|u kingyo - "[^"]*" /var/lib/kingyo$|m kingyo [a-z]+$)' board/sysusers/kingyo.conf; }
+check 'sysusers creates a user without a shell' no_other_user
 
 # ---- make install
 # COMMAND...: The command creates a hostile file at $to; then make install and make uninstall run.

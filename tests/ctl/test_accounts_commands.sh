@@ -115,7 +115,7 @@ is_copy() {
     "$ctl" backup "$work/copy.db" --data "$data" && [ "$(echo "$work/copy.db"*)" = "$work/copy.db" ] &&
         [ "$(sqlite3 "$work/copy.db" 'pragma integrity_check; select count(*) from entries')" = $'ok\n9' ]
 }
-spares_a_name() { # A backup leaves files of other programs beside it unchanged.
+keeps_other_files() { # A backup leaves files of other programs beside it unchanged.
     echo precious >"$work/own.db-part" && echo precious >"$work/own.db.part"
     "$ctl" backup "$work/own.db" --data "$data" && [ "$(cat "$work/own.db-part" "$work/own.db.part")" = $'precious\nprecious' ]
     local result=$?
@@ -187,7 +187,7 @@ leaves_no_half_copy() {
 }
 # Runs as another user if the test runs as root. Otherwise mode 000 denies the access to the user
 # who runs the test.
-is_shut_to_others() {
+is_private() {
     local as=()
     [ "$(id -u)" != 0 ] || as=(setpriv --reuid 65534 --regid 65534 --clear-groups)
     mkdir -m 000 "$work/shut" && "${as[@]}" "$ctl" scores --data "$work/shut" >"$work/out" 2>&1
@@ -235,7 +235,7 @@ check 'the table of audits shows the credits in the machine' prints '^9 entries,
 check 'audits --json prints one object' query \
     "json_extract(j, '\$.audits.caught') = 7 and json_extract(j, '\$.entries') = 9" audits
 check 'a backup is one complete file' is_copy
-check 'a backup removes no file but its own temporary file' spares_a_name
+check 'a backup removes no file but its own temporary file' keeps_other_files
 check 'the JSON of a backup replaces the invalid UTF-8 of a file name' is_utf8
 check 'a backup replaces an older backup' is_copy
 mkdir "$work/of-copy" && mv "$work/copy.db" "$work/of-copy/kingyo.db"
@@ -261,7 +261,7 @@ check 'a damaged copy cannot be restored' keeps_its_file "$work/torn.db" '.'
 check 'the database cannot be restored from itself' keeps_its_file "$work/back/kingyo.db" 'own database'
 check 'a backup to a path that cannot be written exits with 74' ends 74 'cannot be written' backup /proc/none --data "$data"
 check 'scores without a database exits with 74' ends 74 'does not exist' scores --data "$work/nowhere"
-check 'the error for an unreadable data folder advises sudo' is_shut_to_others
+check 'the error for an unreadable data folder advises sudo' is_private
 mkdir "$work/empty" && sqlite3 "$data/kingyo.db" "vacuum into '$work/empty/kingyo.db'" &&
     sqlite3 "$work/empty/kingyo.db" 'delete from ranking'
 check 'scores verify --all of an empty leaderboard exits with 0' ends 0 'no player has caught a fish yet' scores verify --all \

@@ -34,13 +34,13 @@ round_the_head() {
 check "the own template of hirame moves the eye around the head" round_the_head
 
 # ---- Text
-text_tells() {
+text_has() {
     morph check wakin --steps 50 >"$work/text"
     cat "$work/text"
     grep -q '^wakin: [0-9]* keys' "$work/text" && grep -q 'near *far *ordinary' "$work/text" &&
         grep -q 'key, where shown alone, missed by *0.0e+00' "$work/text"
 }
-check 'the text has a table with column names and figures' text_tells
+check 'the text has a table with column names and figures' text_has
 
 # ---- A damaged drawing: the pectoral fins of the third key point backward through the flanks
 reports_damage() {

@@ -53,8 +53,8 @@ for key in a b c; do
 done
 objs=("$work/a.obj" "$work/b.obj" "$work/c.obj")
 check 'three OBJ files become a species' morph import "$work/small.kfish" "${objs[@]}" --lengths-mm 10,20,40 --ages-days 0,30,90
-tells_lengths() { morph list >/dev/null && morph weights "$work/small.kfish" --steps 2 | tee "$work/w" | tail -1 | grep -q '^1.000000,90.000,40.0000,'; }
-check 'the species has the given ages and lengths' tells_lengths
+prints_lengths() { morph list >/dev/null && morph weights "$work/small.kfish" --steps 2 | tee "$work/w" | tail -1 | grep -q '^1.000000,90.000,40.0000,'; }
+check 'the species has the given ages and lengths' prints_lengths
 check 'OBJ files of one size need --lengths-mm' mistake 65 'use --lengths-mm' "$work/x.kfish" "${objs[@]}"
 check 'two OBJ files exit with 65' mistake 65 'a species has 3 to 8' "$work/x.kfish" "$work/a.obj" "$work/b.obj"
 check 'a wrong number of lengths exits with 65' mistake 65 '--lengths-mm: 2' "$work/x.kfish" "${objs[@]}" --lengths-mm 1,2

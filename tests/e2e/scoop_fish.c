@@ -20,9 +20,9 @@
 #include "eye.h"
 
 /* Time between two pictures in seconds. The kiosk shows at most 60 frames per second. */
-#define LOOK_S 0.03
+#define FRAME_S 0.03
 /* Number of pictures in which the fish are observed before one is chosen. */
-#define CALM_LOOKS 12
+#define CALM_FRAMES 12
 #define CHOICE_MAX 40
 /* Weight of the blue value in the choice of a fish, because a deeper fish is bluer. One unit of
  * blue (of 255) counts as much as a speed of this many pixels per second. The blue value of a fish
@@ -172,8 +172,8 @@ static int choose(struct track *best)
     for (int i = 0; i < count; i++) {
         now[i] = found[i];
     }
-    for (int look = 0; look < CALM_LOOKS; look++) {
-        wait_s(LOOK_S);
+    for (int frame = 0; frame < CALM_FRAMES; frame++) {
+        wait_s(FRAME_S);
         eye_capture(&eye, middle);
         for (int i = 0; i < count; i++) {
             now[i] = eye_follow(&eye, now[i].x, now[i].y);
@@ -218,7 +218,7 @@ static int approach(struct track *track, float aside_px, float px_s, double limi
         const double time_s = now_s();
         near_count = step_to(goal, px_s * (float)(time_s - then_s)) < 8.0f ? near_count + 1 : 0;
         then_s = time_s;
-        wait_s(LOOK_S / 2);
+        wait_s(FRAME_S / 2);
     }
     return 1;
 }

@@ -76,8 +76,8 @@ is_kept() { [ "$(cat "$data/kingyo.db")" = takings ]; }
 
 check 'the packages can be installed' both 0.0.8
 check 'the installation creates the user' inside id kingyo
-is_his() { [ "$(inside stat -c '%U %G %a' /var/lib/kingyo)" = 'kingyo kingyo 750' ]; }
-check 'the data folder belongs only to the user' is_his
+is_owned() { [ "$(inside stat -c '%U %G %a' /var/lib/kingyo)" = 'kingyo kingyo 750' ]; }
+check 'the data folder belongs only to the user' is_owned
 check 'the installation enables the service' test -L "$wants"
 check 'the installation writes the configuration' test -s "$conf"
 manual() { inside test -s /usr/share/man/man6/kingyo.6.gz || grep -q path-exclude=/usr/share/man "$root"/etc/dpkg/dpkg.cfg.d/*; }

@@ -7,7 +7,7 @@ good=tests/hid/good
 unhex() { tr -d ' \n' | tr a-f A-F | basenc --base16 -d; }
 byte() { printf "\\x$(printf %02x "$1")"; }
 [ "$folder/made" -nt "$0" ] && exit 0
-mkdir -p "$folder"/{descriptor,report,rows,hand,map_text,learn,book,wires}
+mkdir -p "$folder"/{descriptor,report,rows,pose_decoder,map_text,learn,mapping_file,wires}
 word() { byte $(($1 % 256)); byte $(($1 / 256)); }
 for file in $good/descriptors/*.hid tests/hid/malformed/*.hid; do
     id=$(basename "$file" .hid)
@@ -45,7 +45,7 @@ while IFS=$'\t' read -r id vendor product _; do
                 byte $((${#hex} / 2))
                 echo "$hex" | unhex
             done
-    } >"$folder/hand/$id"
+    } >"$folder/pose_decoder/$id"
 done < <(tail -n +2 $good/provenance.tsv)
 
 cat >"$folder/map_text/learned" <<'END'
@@ -58,7 +58,7 @@ echo 'own pose feels tilt=step:2:s8@0:0..1 hat=hat:2:u4@8:0..7' >"$folder/map_te
     echo 'kingyo poi 1'
     echo '054c:0ce6:A0-1'
     cat "$folder/map_text/learned"
-} >"$folder/book/one.poi"
+} >"$folder/mapping_file/one.poi"
 
 # A joystick with reports of three bytes that is centred, moves left, right, away and near, and is
 # pressed.

@@ -1,7 +1,7 @@
 # devices.mk -- libFuzzer tests for data of controllers, coin slots and their files, under the
 # address and undefined-behaviour sanitizers. The targets are pure functions of their input bytes.
 
-DEVICE_TARGETS := descriptor report rows live poi_report hand map_text learn book coin edges wires pad \
+DEVICE_TARGETS := descriptor report rows live poi_report pose_decoder map_text learn mapping_file coin edges wires pad \
     poi_tape poi_board
 DEVICE_BIN := $(DEVICE_TARGETS:%=$(FUZZ)/device_%)
 # A target links only the functions that it calls from this archive, and only these count as its

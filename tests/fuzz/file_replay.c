@@ -33,7 +33,7 @@ static size_t put_sum(size_t at, size_t size, uint64_t *sum)
 
 /* Corrects the end mark of the recording, which is at `at`, so that it agrees with the last
  * chunk. */
-static void mend_end(size_t at, const uint8_t *last, uint32_t tick, uint64_t sum)
+static void repair_end(size_t at, const uint8_t *last, uint32_t tick, uint64_t sum)
 {
     replay_put_u32(file + at + END_TICKS, tick);
     if (last) {
@@ -42,13 +42,13 @@ static void mend_end(size_t at, const uint8_t *last, uint32_t tick, uint64_t sum
     put_sum(at, END_SUM, &sum);
 }
 
-static void mend_parts(size_t at, uint64_t sum)
+static void repair_parts(size_t at, uint64_t sum)
 {
     const uint8_t *last = NULL;
     uint32_t tick = 0;
     while (at > 0 && at + REPLAY_END_SIZE <= file_size) {
         if (memcmp(file + at, REPLAY_END_TAG, 4) == 0) {
-            mend_end(at, last, tick, sum);
+            repair_end(at, last, tick, sum);
             return;
         }
         const uint32_t payload = replay_get_u32(file + at + CHUNK_PAYLOAD_SIZE);
@@ -62,7 +62,7 @@ static void mend_parts(size_t at, uint64_t sum)
     }
 }
 
-static void mend(void)
+static void repair(void)
 {
     uint64_t sum = HASH_START;
     if (file_size < REPLAY_HEADER_SIZE) {
@@ -73,7 +73,7 @@ static void mend(void)
     at = at > 0 ? put_sum(at, replay_get_u32(file + HEADER_START), &sum) : 0;
     const uint32_t book_size = replay_get_u32(file + HEADER_BOOK);
     at = at > 0 && book_size > 0 ? put_sum(at, book_size, &sum) : at;
-    mend_parts(at, sum);
+    repair_parts(at, sum);
 }
 
 static void hold_problem(const struct replay_problem *problem)
@@ -104,7 +104,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     struct input input = { 0 }, before = { 0 };
     file_size = size < FILE_MAX ? size : FILE_MAX;
     memcpy(file, bytes, file_size);
-    mend();
+    repair();
     if (replay_open_in(&reader, file, file_size)) {
         hold_problem(&reader.problem);
         return 0;

@@ -142,7 +142,7 @@ static void fill_name(struct scene *scene, const struct shot *shot, int upright)
                                        .key = 23,
                                        .letter_count = 4,
                                        .upright = (uint8_t)upright,
-                                       .has_hand = 1,
+                                       .has_pointer = 1,
                                        .x = 420.0f,
                                        .y = 400.0f };
     memcpy(scene->name.letter, letters, sizeof letters);
@@ -161,7 +161,7 @@ static void fill_player(struct scene *scene, const struct shot *shot, uint8_t pl
     out->plays = 1;
     out->level = shot->mode == MODE_CHAMPIONSHIP ? (uint8_t)LEVEL_MASTER
                                                  : (uint8_t)((1u + player) % LEVEL_COUNT);
-    out->has_hand = shot->phase == PHASE_MODE_SELECT;
+    out->has_pointer = shot->phase == PHASE_MODE_SELECT;
     out->x = 520.0f - 298.0f * (float)(out->level - LEVEL_NORMAL) + 44.0f * (player == 3);
     out->y = 420.0f;
     scene->poi[player].present = 1;
@@ -347,8 +347,8 @@ static int write_picture(const char *path, int width, int height)
     return stbi_write_png(path, width, height, 4, pixels, width * 4);
 }
 
-static void say_cost(struct ui *ui, const struct scene *scene, const char *name, int width,
-                     int height)
+static void print_cost(struct ui *ui, const struct scene *scene, const char *name, int width,
+                       int height)
 {
     const struct display_transform transform = display_transform_of(
         &(struct display_settings){ .light = 1.0f }, (float)width, (float)height);
@@ -392,7 +392,7 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     memcpy(ui->memory.caught, scene.caught, sizeof scene.caught);
     glBindFramebuffer(GL_FRAMEBUFFER, canvas->target);
     if (language == 0) {
-        say_cost(ui, &scene, shot->name, width, height);
+        print_cost(ui, &scene, shot->name, width, height);
     }
     draw_backdrop(canvas->backdrop, canvas->back_width, canvas->back_height, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, canvas->target);

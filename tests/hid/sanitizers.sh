@@ -2,7 +2,7 @@
 # sanitizers.sh -- controller input, mappings, learning, the mapping store, the controller manager,
 # their menu pages and a paid round with a cable that is unplugged, all under the sanitizers. All
 # code of drivers/ and of the game that they call is compiled for address and undefined behaviour,
-# and again for threads. Run by `make test-hand-sanitizers`.
+# and again for threads. Run by `make test-hid-sanitizers`.
 set -eu
 build=${BUILD:-build}
 read -ra cflags <<<"${CFLAGS:--std=c17 -O1 -g -I.}"
@@ -18,7 +18,7 @@ sources+=(drivers/pointer/pointer_poi.c drivers/gamepad/stick_motion.c drivers/n
     platform/kiosk/{kiosk,sampler,operator_view}.c tests/unit/support/panic.c)
 
 for sanitizers in address,undefined thread; do
-    home=$build/hand-sanitizers/${sanitizers%%,*}
+    home=$build/hid-sanitizers/${sanitizers%%,*}
     mkdir -p "$home"
     objects=()
     for source in "${sources[@]}"; do

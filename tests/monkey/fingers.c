@@ -1,9 +1,9 @@
 /* fingers.c -- sends random keys, pointer events and window sizes to the kiosk's window on the X
  * screen of DISPLAY.
  *
- * Usage: fingers SEED SECONDS. The program sends STEPS_A_SECOND random steps (tests/monkey/whim.h)
- * per second. The program finds the kiosk's window by its title. While no such window is visible,
- * the program sends nothing. */
+ * Usage: fingers SEED SECONDS. The program sends STEPS_A_SECOND random steps
+ * (tests/monkey/random_step.h) per second. The program finds the kiosk's window by its title.
+ * While no such window is visible, the program sends nothing. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@
 #include <X11/keysym.h>
 
 #include "core/base/panic.h"
-#include "tests/monkey/whim.h"
+#include "tests/monkey/random_step.h"
 
 #define STEPS_A_SECOND 30u
 #define TITLE "Kingyo"
@@ -64,12 +64,12 @@ static Window find_window(XWindowAttributes *attributes)
 
 static void press_key(int key)
 {
-    static const KeySym symbols[WHIM_KEY_COUNT] = {
-        [WHIM_KEY_START] = XK_space,     [WHIM_KEY_LEFT] = XK_Left,  [WHIM_KEY_RIGHT] = XK_Right,
-        [WHIM_KEY_UP] = XK_Up,           [WHIM_KEY_DOWN] = XK_Down,  [WHIM_KEY_ENTER] = XK_Return,
-        [WHIM_KEY_COIN] = XK_5,          [WHIM_KEY_COIN_2] = XK_6,   [WHIM_KEY_LANGUAGE] = XK_l,
-        [WHIM_KEY_FULL_SCREEN] = XK_F11, [WHIM_KEY_TILT] = XK_F4,    [WHIM_KEY_UNUSED] = XK_x,
-        [WHIM_KEY_TEST] = XK_F2,         [WHIM_KEY_SERVICE] = XK_F3, [WHIM_KEY_ESCAPE] = XK_Escape,
+    static const KeySym symbols[STEP_KEY_COUNT] = {
+        [STEP_KEY_START] = XK_space,     [STEP_KEY_LEFT] = XK_Left,  [STEP_KEY_RIGHT] = XK_Right,
+        [STEP_KEY_UP] = XK_Up,           [STEP_KEY_DOWN] = XK_Down,  [STEP_KEY_ENTER] = XK_Return,
+        [STEP_KEY_COIN] = XK_5,          [STEP_KEY_COIN_2] = XK_6,   [STEP_KEY_LANGUAGE] = XK_l,
+        [STEP_KEY_FULL_SCREEN] = XK_F11, [STEP_KEY_TILT] = XK_F4,    [STEP_KEY_UNUSED] = XK_x,
+        [STEP_KEY_TEST] = XK_F2,         [STEP_KEY_SERVICE] = XK_F3, [STEP_KEY_ESCAPE] = XK_Escape,
     };
     const KeyCode code = XKeysymToKeycode(display, symbols[key]);
     XTestFakeKeyEvent(display, code, True, 0);
@@ -84,37 +84,37 @@ static void click(unsigned button)
     event_count++;
 }
 
-static void press_button(enum whim_press press)
+static void press_button(enum step_press press)
 {
-    const unsigned button = press == WHIM_PRESS_LEFT ? 1 : 3;
+    const unsigned button = press == STEP_PRESS_LEFT ? 1 : 3;
     down ^= 1u << button;
     XTestFakeButtonEvent(display, button, (down & 1u << button) != 0, 0);
     event_count++;
 }
 
-static void act(const struct whim *whim)
+static void act(const struct random_step *next)
 {
     XWindowAttributes at;
     const Window window = find_window(&at);
     if (window == None) {
         return;
     }
-    if (whim->key >= 0) {
-        press_key(whim->key);
+    if (next->key >= 0) {
+        press_key(next->key);
     }
-    if (whim->moves) {
-        XTestFakeMotionEvent(display, -1, at.x + whim->x_mille * at.width / 1000,
-                             at.y + whim->y_mille * at.height / 1000, 0);
+    if (next->moves) {
+        XTestFakeMotionEvent(display, -1, at.x + next->x_mille * at.width / 1000,
+                             at.y + next->y_mille * at.height / 1000, 0);
         event_count++;
     }
-    if (whim->press != WHIM_PRESS_NONE) {
-        press_button((enum whim_press)whim->press);
+    if (next->press != STEP_PRESS_NONE) {
+        press_button((enum step_press)next->press);
     }
-    if (whim->wheel != 0) {
-        click(whim->wheel > 0 ? 4 : 5);
+    if (next->wheel != 0) {
+        click(next->wheel > 0 ? 4 : 5);
     }
-    if (whim->width > 0) {
-        XResizeWindow(display, window, (unsigned)whim->width, (unsigned)whim->height);
+    if (next->width > 0) {
+        XResizeWindow(display, window, (unsigned)next->width, (unsigned)next->height);
         event_count++;
     }
     XSync(display, False);
@@ -132,8 +132,8 @@ int main(int argc, char **argv)
     const uint32_t steps = STEPS_A_SECOND * (uint32_t)strtoul(argv[2], NULL, 10);
     const struct timespec pause = { .tv_nsec = 1000000000 / STEPS_A_SECOND };
     for (uint32_t step = 0; step < steps; step++) {
-        const struct whim whim = whim_at(seed, step);
-        act(&whim);
+        const struct random_step next = random_step_at(seed, step);
+        act(&next);
         nanosleep(&pause, NULL);
     }
     printf("%u events\n", event_count);

@@ -27,7 +27,7 @@
 #include "platform/kiosk/kiosk.h"
 #include "platform/os/clock.h"
 #include "platform/render/display_gl.h"
-#include "tests/monkey/whim.h"
+#include "tests/monkey/random_step.h"
 
 #define FRAME_NS 16666667ull
 #define FRAMES_A_SECOND 60u
@@ -73,33 +73,33 @@ static void push_key(SDL_Keycode code)
 
 static void press_key(int key)
 {
-    static const SDL_Keycode codes[WHIM_KEY_COUNT] = {
-        [WHIM_KEY_START] = SDLK_SPACE,   [WHIM_KEY_LEFT] = SDLK_LEFT,
-        [WHIM_KEY_RIGHT] = SDLK_RIGHT,   [WHIM_KEY_UP] = SDLK_UP,
-        [WHIM_KEY_DOWN] = SDLK_DOWN,     [WHIM_KEY_ENTER] = SDLK_RETURN,
-        [WHIM_KEY_COIN] = SDLK_5,        [WHIM_KEY_COIN_2] = SDLK_6,
-        [WHIM_KEY_LANGUAGE] = SDLK_l,    [WHIM_KEY_FULL_SCREEN] = SDLK_F11,
-        [WHIM_KEY_TILT] = SDLK_F4,       [WHIM_KEY_UNUSED] = SDLK_x,
-        [WHIM_KEY_TEST] = SDLK_F2,       [WHIM_KEY_SERVICE] = SDLK_F3,
-        [WHIM_KEY_ESCAPE] = SDLK_ESCAPE,
+    static const SDL_Keycode codes[STEP_KEY_COUNT] = {
+        [STEP_KEY_START] = SDLK_SPACE,   [STEP_KEY_LEFT] = SDLK_LEFT,
+        [STEP_KEY_RIGHT] = SDLK_RIGHT,   [STEP_KEY_UP] = SDLK_UP,
+        [STEP_KEY_DOWN] = SDLK_DOWN,     [STEP_KEY_ENTER] = SDLK_RETURN,
+        [STEP_KEY_COIN] = SDLK_5,        [STEP_KEY_COIN_2] = SDLK_6,
+        [STEP_KEY_LANGUAGE] = SDLK_l,    [STEP_KEY_FULL_SCREEN] = SDLK_F11,
+        [STEP_KEY_TILT] = SDLK_F4,       [STEP_KEY_UNUSED] = SDLK_x,
+        [STEP_KEY_TEST] = SDLK_F2,       [STEP_KEY_SERVICE] = SDLK_F3,
+        [STEP_KEY_ESCAPE] = SDLK_ESCAPE,
     };
     push_key(codes[key]);
 }
 
-static void move_pointer(const struct whim *whim)
+static void move_pointer(const struct random_step *next)
 {
     SDL_Event event = { .motion = { .type = SDL_MOUSEMOTION,
                                     .windowID = SDL_GetWindowID(rig.display.window),
-                                    .x = whim->x_mille * WIDTH / 1000,
-                                    .y = whim->y_mille * HEIGHT / 1000,
+                                    .x = next->x_mille * WIDTH / 1000,
+                                    .y = next->y_mille * HEIGHT / 1000,
                                     .xrel = 20,
                                     .yrel = 20 } };
     SDL_PushEvent(&event);
 }
 
-static void press_button(enum whim_press press)
+static void press_button(enum step_press press)
 {
-    const uint32_t bit = press == WHIM_PRESS_LEFT ? 1u : 2u;
+    const uint32_t bit = press == STEP_PRESS_LEFT ? 1u : 2u;
     rig.down ^= bit;
     SDL_Event event = { .button = {
                             .type = rig.down & bit ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP,
@@ -133,24 +133,24 @@ static void plug_or_unplug(uint32_t chance)
 
 static void act(void)
 {
-    const struct whim whim = whim_at(rig.seed, rig.frame);
-    if (whim.key >= 0) {
-        press_key(whim.key);
+    const struct random_step next = random_step_at(rig.seed, rig.frame);
+    if (next.key >= 0) {
+        press_key(next.key);
     }
-    if (whim.moves) {
-        move_pointer(&whim);
+    if (next.moves) {
+        move_pointer(&next);
     }
-    if (whim.press != WHIM_PRESS_NONE) {
-        press_button((enum whim_press)whim.press);
+    if (next.press != STEP_PRESS_NONE) {
+        press_button((enum step_press)next.press);
     }
-    if (whim.wheel != 0) {
-        turn_wheel(whim.wheel);
+    if (next.wheel != 0) {
+        turn_wheel(next.wheel);
     }
-    if (whim.width > 0) {
-        SDL_SetWindowSize(rig.display.window, whim.width, whim.height);
+    if (next.width > 0) {
+        SDL_SetWindowSize(rig.display.window, next.width, next.height);
     }
-    if (whim.plugs) {
-        plug_or_unplug(whim.chance);
+    if (next.plugs) {
+        plug_or_unplug(next.chance);
     }
 }
 

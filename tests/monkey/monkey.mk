@@ -17,7 +17,7 @@ test-monkey:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(MONKEY)/monkey $(MONKEY)/kingyo $(BUILD)/tests/monkey/fingers
 	@BUILD=$(BUILD) tests/monkey/monkey.sh $(or $(SECONDS),60) $(SEED)
 
-$(MONKEY)/monkey: $(MONKEY)/tests/monkey/monkey.o $(MONKEY)/tests/monkey/whim.o
+$(MONKEY)/monkey: $(MONKEY)/tests/monkey/monkey.o $(MONKEY)/tests/monkey/random_step.o
 $(MONKEY)/kingyo: $(MONKEY)/platform/kiosk/main.o
 $(MONKEY)/monkey $(MONKEY)/kingyo: $(MONKEY_OBJ)
 	$(call step,LINK,$@)
@@ -34,7 +34,7 @@ $(MONKEY)/%.o: %.c $(FOUND) $(FOUND_CLANG) | generated
 	$(call step,CC,$< (sanitized))
 	$(Q)$(MONKEY_CC) $(MONKEY_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
-$(BUILD)/tests/monkey/fingers: $(BUILD)/tests/monkey/fingers.o $(BUILD)/tests/monkey/whim.o $(BUILD)/core.a
+$(BUILD)/tests/monkey/fingers: $(BUILD)/tests/monkey/fingers.o $(BUILD)/tests/monkey/random_step.o $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) -o $@ $^ -lXtst -lX11 -lm
 

@@ -30,18 +30,18 @@
 #define EVENTS_MAX 1024u
 #define COIN_EACH_NS (S_NS * 7u / 10u)
 
-struct mood {
+struct card_state {
     const char *name;
     uint32_t sync_us;
     int error;
 };
 
-static const struct mood moods[] = {
+static const struct card_state card_states[] = {
     { "good, 5 ms a sync", 5000, 0 }, { "slow, 200 ms a sync", 200000, 0 },
     { "full", 5000, ENOSPC },         { "good again", 5000, 0 },
     { "read-only", 5000, EROFS },     { "good again", 5000, 0 },
 };
-#define MOOD_COUNT (sizeof moods / sizeof moods[0])
+#define STATE_COUNT (sizeof card_states / sizeof card_states[0])
 
 static struct kiosk kiosk;
 static struct storage store;
@@ -67,7 +67,7 @@ static void fill_script(uint64_t begin_ns, uint64_t length_ns)
         (struct buttons_sim){ .clock = clock_device(), .events = events, .event_count = count };
 }
 
-static int open_stall(const char *folder, uint32_t mood_s)
+static int open_stall(const char *folder, uint32_t state_s)
 {
     struct kiosk_config config = { .core = { .seed = 3, .round_s = 10 },
                                    .stopwatch = clock_device() };
@@ -76,7 +76,7 @@ static int open_stall(const char *folder, uint32_t mood_s)
     hal = null_hal(NULL);
     hal.clock = clock;
     hal.storage = storage_device(&store);
-    fill_script(clock.ops->now_ns(clock.self) + S_NS, MOOD_COUNT * mood_s * S_NS);
+    fill_script(clock.ops->now_ns(clock.self) + S_NS, STATE_COUNT * state_s * S_NS);
     hal.buttons = sim_buttons_device(&buttons);
     pointer_sim_init(&poi, clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     hal.poi[0] = pointer_sim_devices(&poi).poi;
@@ -121,16 +121,16 @@ static void frame(struct seen *seen, uint64_t begin_ns, uint64_t *due_ns)
     clock_sleep_until(*due_ns);
 }
 
-static struct seen watch(const struct mood *mood, uint32_t mood_s)
+static struct seen watch(const struct card_state *card_state, uint32_t state_s)
 {
     const struct hal_clock clock = clock_device();
     const uint64_t begin_ns = clock.ops->now_ns(clock.self), dropped = kiosk.pace.dropped;
     const uint32_t coins = kiosk.core.game.accounts.audits.count[AUDIT_COINS_1];
     struct seen seen = { .closed_s = -1.0, .open_s = -1.0 };
     uint64_t due_ns = begin_ns;
-    tape_sync_us(mood->sync_us);
-    tape_refuse(mood->error);
-    while (due_ns < begin_ns + mood_s * S_NS) {
+    tape_sync_us(card_state->sync_us);
+    tape_fail_writes(card_state->error);
+    while (due_ns < begin_ns + state_s * S_NS) {
         frame(&seen, begin_ns, &due_ns);
     }
     seen.dropped = kiosk.pace.dropped - dropped;
@@ -138,7 +138,7 @@ static struct seen watch(const struct mood *mood, uint32_t mood_s)
     return seen;
 }
 
-static void tell_time(double seconds)
+static void print_time(double seconds)
 {
     if (seconds < 0.0) {
         printf("%9s", "-");
@@ -147,12 +147,12 @@ static void tell_time(double seconds)
     }
 }
 
-static void print_row(const struct mood *mood, const struct seen *seen)
+static void print_row(const struct card_state *card_state, const struct seen *seen)
 {
-    printf("  %-22s %6.2f ms %8llu %6u %8u", mood->name, (double)seen->longest_ns / 1e6,
+    printf("  %-22s %6.2f ms %8llu %6u %8u", card_state->name, (double)seen->longest_ns / 1e6,
            (unsigned long long)seen->dropped, seen->coins, seen->waiting_max);
-    tell_time(seen->closed_s);
-    tell_time(seen->open_s);
+    print_time(seen->closed_s);
+    print_time(seen->open_s);
     printf("\n");
     fflush(stdout);
 }
@@ -177,19 +177,19 @@ static int holds_all(const char *folder)
            memory.ledger.last_id == kiosk.core.game.accounts.ledger.last_id;
 }
 
-static int run(const char *folder, uint32_t mood_s)
+static int run(const char *folder, uint32_t state_s)
 {
     uint64_t dropped = 0;
     tape_begin(&tape, folder, NULL, 0);
-    if (open_stall(folder, mood_s) != 0) {
+    if (open_stall(folder, state_s) != 0) {
         return 1;
     }
     printf("card: %u s each; the slot as the frame loop sees it\n"
            "  %-22s %9s %8s %6s %8s %9s %9s\n",
-           mood_s, "the card", "longest", "dropped", "coins", "waiting", "closed", "open");
-    for (size_t i = 0; i < MOOD_COUNT; i++) {
-        const struct seen seen = watch(&moods[i], mood_s);
-        print_row(&moods[i], &seen);
+           state_s, "the card", "longest", "dropped", "coins", "waiting", "closed", "open");
+    for (size_t i = 0; i < STATE_COUNT; i++) {
+        const struct seen seen = watch(&card_states[i], state_s);
+        print_row(&card_states[i], &seen);
         dropped += seen.dropped;
     }
     kiosk_close_store(&kiosk, &hal);
@@ -201,9 +201,9 @@ static int run(const char *folder, uint32_t mood_s)
 
 int main(int argc, char **argv)
 {
-    uint32_t mood_s = 6;
+    uint32_t state_s = 6;
     char folder[] = "/tmp/kingyo-card-XXXXXX", command[64];
-    if (argc > 2 || (argc == 2 && !number_parse(argv[1], 2, 100, &mood_s))) {
+    if (argc > 2 || (argc == 2 && !number_parse(argv[1], 2, 100, &state_s))) {
         fprintf(stderr, "usage: card [SECONDS, 2 to 100]\n");
         return 2;
     }
@@ -212,7 +212,7 @@ int main(int argc, char **argv)
         return 74;
     }
     panic_prepare(NULL, NULL);
-    const int code = run(folder, mood_s);
+    const int code = run(folder, state_s);
     snprintf(command, sizeof command, "rm -rf %s", folder);
     if (system(command) != 0) {
         fprintf(stderr, "card: %s: cannot be removed\n", folder);

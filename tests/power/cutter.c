@@ -13,7 +13,7 @@
 
 #include "platform/store/storage.h"
 #include "tests/power/disk.h"
-#include "tests/power/go_on.h"
+#include "tests/power/resume.h"
 
 /* After one of SECOND_EACH cuts, the power is cut a second time while the store recovers.
  * SECOND_EACH is prime, so that after enough cuts each kind of first cut (enum disk_luck) is
@@ -108,7 +108,7 @@ void cutter_check(const struct cutter *cutter, struct tally *tally, const char *
                        "a replay that was promised is not there");
     } else if (tally->cuts % GO_ON_EACH == 0) {
         tally->mornings++;
-        if (go_on(folder, &cutter->totals[last], last, why) != 0) {
+        if (resume_play(folder, &cutter->totals[last], last, why) != 0) {
             tally_complain(tally, &tally->differing, where, why);
         }
     }

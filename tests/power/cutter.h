@@ -18,7 +18,7 @@ struct tally {
     uint64_t cuts, second_cuts;
     uint64_t by_luck[DISK_LUCK_COUNT];
     uint64_t unopenable, lost, ghosts, differing, replays_lost, edits_lost;
-    uint64_t mornings; /* Number of cuts after which the test also continued to play (go_on.h). */
+    uint64_t mornings; /* Number of cuts after which the test also continued to play (resume.h). */
     /* Number of tickets that were removed from the ledger although their dispenser pulse had not
      * begun. */
     uint64_t tickets_missing;

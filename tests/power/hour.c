@@ -168,10 +168,10 @@ static void note(struct hour *hour, const struct ledger_entry *entry)
 
 /* Simulates the ticket dispenser. In the tick in which a pulse begins, a mark is recorded on the
  * tape. After a power cut, each mark thus stands for a pulse that has really begun. */
-static void dispense(struct hour *hour, uint32_t asked_before)
+static void dispense(struct hour *hour, uint32_t requested_before)
 {
     hour->pulse_ticks -= hour->pulse_ticks > 0;
-    if (hour->output.tickets != asked_before) {
+    if (hour->output.tickets != requested_before) {
         hour->pulse_ticks = HOUR_PULSE_TICKS;
         tape_mark(TAPE_TICKET, hour->output.tickets);
     }
@@ -254,13 +254,13 @@ void hour_frame(struct hour *hour, struct hal_storage store)
     ask(hour, store);
     hour->output.sound_count = 0;
     for (uint32_t i = 0; i < TICKS_A_FRAME; i++) {
-        const uint32_t asked = hour->output.tickets;
+        const uint32_t requested = hour->output.tickets;
         live(hour);
         if (core_tick(&hour->core, &hour->input, &hour->output) != CORE_OK) {
             fputs("power: " CPU_FLOAT_WRONG "\n", stderr);
             exit(70);
         }
-        dispense(hour, asked);
+        dispense(hour, requested);
         land_fish(hour);
         write_ledger(hour);
     }

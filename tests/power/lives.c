@@ -104,7 +104,7 @@ static void play(struct life *life, struct hal_storage device)
         const unsigned pushed = store.pushed + store.edits_pushed;
         hour_frame(&hour, device);
         if (i % 60u == 0 || pushed != store.pushed + store.edits_pushed) {
-            store.look_due_ms = 0;
+            store.retry_due_ms = 0;
             storage_work(&store);
         }
     }
@@ -127,9 +127,9 @@ static void live_part(struct life *life)
         }
         const int is_killed = draw(life) % 2u == 0;
         life->tally->kills += (uint64_t)is_killed;
-        tape_be_dead(is_killed);
+        tape_set_dead(is_killed);
         device.ledger.ops->close(device.ledger.self);
-        tape_be_dead(0);
+        tape_set_dead(0);
     }
 }
 
@@ -225,7 +225,7 @@ static void live(struct life *life)
         fault_begin(NULL, 0);
         tape_end();
         cut_part(life);
-        tape_go_on(own, life->folder);
+        tape_resume(own, life->folder);
     }
     tape_end();
     disk_close(&life->disk);

@@ -8,7 +8,7 @@
  * recorded (tape.h). The power is then cut after each operation in several ways (disk.h), N cuts in
  * total. The store opens the remaining files, and its state must be the sum of all entries up to a
  * valid last entry (ledger_totals.h). One opening in 149 is also cut at each of its own file
- * operations. After one cut in 100 the test continues to play (go_on.h). Finally N lives with
+ * operations. After one cut in 100 the test continues to play (resume.h). Finally N lives with
  * failing file calls are played (lives.h).
  *
  * With --deaf no sync reaches the disk or fails, so that the test must find losses and too few
@@ -312,7 +312,7 @@ int main(int argc, char **argv)
     }
     panic_prepare(NULL, NULL);
     if (plan.deaf) {
-        tape_be_deaf();
+        tape_ignore_syncs();
     }
     const int code = run(&plan);
     remove_folder(plan.folder);

@@ -9,7 +9,7 @@ test-power:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(POWER)
 	@$(POWER) --cuts $(CUTS) --lives $(LIVES_POWER)
 
-$(POWER): $(addprefix $(BUILD)/tests/power/,power.o lives.o cutter.o go_on.o tape.o fault.o disk.o disk_cut.o hour.o ledger_totals.o) $(BUILD)/platform/panic_core.o \
+$(POWER): $(addprefix $(BUILD)/tests/power/,power.o lives.o cutter.o resume.o tape.o fault.o disk.o disk_cut.o hour.o ledger_totals.o) $(BUILD)/platform/panic_core.o \
     $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
@@ -33,7 +33,7 @@ $(PRELOAD): $(PRELOAD_SRC) $(wildcard tests/power/*.h) $(FOUND)
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(HOST_CFLAGS) -fPIC -shared -o $@ $(PRELOAD_SRC) -lpthread
 
-$(KIOSK_CHECK): $(addprefix $(BUILD)/tests/power/,kiosk_check.o kiosk_tape.o cutter.o go_on.o tape.o fault.o disk.o disk_cut.o hour.o ledger_totals.o) $(BUILD)/platform/panic_core.o \
+$(KIOSK_CHECK): $(addprefix $(BUILD)/tests/power/,kiosk_check.o kiosk_tape.o cutter.o resume.o tape.o fault.o disk.o disk_cut.o hour.o ledger_totals.o) $(BUILD)/platform/panic_core.o \
     $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)

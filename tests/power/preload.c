@@ -44,7 +44,7 @@ static int read_status(const void *bytes, size_t size)
 {
     static const char saved[] = "\"saved_id\": ", refused[] = "\"store\": {\"well\": false";
     const char *at = memmem(bytes, size, saved, sizeof saved - 1u);
-    const int error = at ? tape_strikes(FAULT_WRITE) : 0;
+    const int error = at ? tape_planned_errno(FAULT_WRITE) : 0;
     if (at && size < STATUS_MAX && !error) {
         tape_mark(TAPE_ACKED, (uint32_t)strtoul(at + sizeof saved - 1u, NULL, 10));
         map->refusals += memmem(bytes, size, refused, sizeof refused - 1u) != NULL;
@@ -123,7 +123,7 @@ __attribute__((constructor)) static void begin(void)
     fault_failed = map->failed;
     tape_other_write = read_status;
     if (map->tape.count > 0) {
-        tape_go_on(&map->tape, folder);
+        tape_resume(&map->tape, folder);
     } else {
         tape_begin(&map->tape, folder, NULL, 0);
     }

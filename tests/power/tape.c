@@ -129,13 +129,13 @@ void tape_begin(struct tape *tape, const char *folder, const char (*first)[TAPE_
     memset(tape->names, 0, sizeof tape->names);
     tape->count = tape->used = 0;
     tape->files = first_count;
-    tape_go_on(tape, folder);
+    tape_resume(tape, folder);
     for (uint32_t i = 0; i < first_count; i++) {
         enter(first[i], i + 1u);
     }
 }
 
-void tape_go_on(struct tape *tape, const char *folder)
+void tape_resume(struct tape *tape, const char *folder)
 {
     memset(file_of_fd, 0, sizeof file_of_fd);
     memset(is_folder, 0, sizeof is_folder);
@@ -256,8 +256,8 @@ static void note_write(int fd, const void *bytes, ssize_t done, uint64_t offset)
 }
 
 /* Returns the errno with which a call must fail, or 0. A call fails if a plan requires it, and
- * always after a simulated SIGKILL (tape_be_dead()). */
-int tape_strikes(enum fault_call call)
+ * always after a simulated SIGKILL (tape_set_dead()). */
+int tape_planned_errno(enum fault_call call)
 {
     pthread_mutex_lock(&pencil);
     const int error = atomic_load(&is_dead) ? EIO : fault_strikes(call);
@@ -282,7 +282,7 @@ static ssize_t write_at(int fd, const void *bytes, size_t size, off_t offset)
     }
     /* A failing write may have written a part of its data. Here this is half of the data, rounded
      * down to units of 512 bytes. */
-    const int error = file_of(fd) || is_log_index(fd) ? tape_strikes(FAULT_PWRITE) : 0;
+    const int error = file_of(fd) || is_log_index(fd) ? tape_planned_errno(FAULT_PWRITE) : 0;
     const size_t reached = !error ? size : atomic_load(&is_dead) ? 0u : size / 1024u * 512u;
     pthread_mutex_lock(&pencil);
     const ssize_t done = reached || !error ? syscall(SYS_pwrite64, fd, bytes, reached, offset) : 0;
@@ -309,7 +309,7 @@ ssize_t write(int fd, const void *bytes, size_t size)
         errno = error ? error : errno;
         return error ? -1 : syscall(SYS_write, fd, bytes, size);
     }
-    if (is_refused(fd) || tape_strikes(FAULT_WRITE)) {
+    if (is_refused(fd) || tape_planned_errno(FAULT_WRITE)) {
         return -1;
     }
     pthread_mutex_lock(&pencil);
@@ -322,7 +322,7 @@ ssize_t write(int fd, const void *bytes, size_t size)
 
 static int cut_file(int fd, off_t size)
 {
-    if ((file_of(fd) || is_log_index(fd)) && tape_strikes(FAULT_FTRUNCATE)) {
+    if ((file_of(fd) || is_log_index(fd)) && tape_planned_errno(FAULT_FTRUNCATE)) {
         return -1;
     }
     pthread_mutex_lock(&pencil);
@@ -344,17 +344,17 @@ int ftruncate64(int fd, off64_t size)
     return cut_file(fd, size);
 }
 
-void tape_refuse(int error)
+void tape_fail_writes(int error)
 {
     atomic_store(&refusal, error);
 }
 
-void tape_be_deaf(void)
+void tape_ignore_syncs(void)
 {
     is_deaf = 1;
 }
 
-void tape_be_dead(int is_dead_now)
+void tape_set_dead(int is_dead_now)
 {
     atomic_store(&is_dead, is_dead_now);
 }
@@ -367,7 +367,7 @@ static int note_sync(int fd, enum fault_call call)
     if (running && !is_deaf && fd >= 0 && fd < FD_MAX && (file_of_fd[fd] || is_folder[fd])) {
         const struct timespec time = { .tv_nsec = 1000L * atomic_load(&sync_us) };
         nanosleep(&time, NULL);
-        error = tape_strikes(call);
+        error = tape_planned_errno(call);
         pthread_mutex_lock(&pencil);
         if (!error && is_folder[fd]) {
             memcpy(add(TAPE_SYNC_FOLDER, 0)->name, folder_name[fd], TAPE_NAME_SIZE);
@@ -406,7 +406,7 @@ int unlink(const char *path)
 
 int rename(const char *from, const char *to)
 {
-    if (own_name(to) && tape_strikes(FAULT_RENAME)) {
+    if (own_name(to) && tape_planned_errno(FAULT_RENAME)) {
         return -1;
     }
     pthread_mutex_lock(&pencil);

@@ -77,7 +77,7 @@ void tape_mark(enum tape_kind kind, uint32_t id);
 void tape_end(void);
 /* Continues to record on a tape that another process began. The files in `folder` must be the
  * result of the operations on the tape. */
-void tape_go_on(struct tape *tape, const char *folder);
+void tape_resume(struct tape *tape, const char *folder);
 /* Frees all memory of the tape. */
 void tape_free(struct tape *tape);
 
@@ -88,7 +88,7 @@ void tape_sync_us(uint32_t us);
 /* Makes each write in the recorded folder fail with `error` (ENOSPC or EROFS) while a tape records.
  * 0 ends the failures. Writes to SQLite's -shm file fail only with ENOSPC, because that file is
  * mapped into memory. */
-void tape_refuse(int error);
+void tape_fail_writes(int error);
 
 /* Callback for each write to a file outside the recorded folder. The default is null. The callback
  * returns the errno with which the write must fail, or 0. */
@@ -96,13 +96,13 @@ extern int (*tape_other_write)(const void *bytes, size_t size);
 
 /* Returns the errno with which a call of this kind must fail now according to the plans in fault.h,
  * or 0. */
-int tape_strikes(enum fault_call call);
+int tape_planned_errno(enum fault_call call);
 
 /* If `is_dead` is 1, each later call that would change the recorded folder fails with EIO. The
  * files then stay as after SIGKILL, although the program continues and closes its handles. */
-void tape_be_dead(int is_dead);
+void tape_set_dead(int is_dead);
 
 /* Ends the recording of syncs, as if the card ignored syncs or the store never made one. */
-void tape_be_deaf(void);
+void tape_ignore_syncs(void);
 
 #endif

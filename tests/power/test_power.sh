@@ -20,7 +20,7 @@ missing_faults_are_found() { # With --deaf 1 no sync fails.
     [ $code = 1 ]
 }
 
-a_liar_is_found() {
+lost_sync_is_found() {
     "$power" --cuts 1500 --frames 3600 --seed 7 --deaf 1 >"$work/liar"
     local code=$?
     cat "$work/liar"
@@ -37,6 +37,6 @@ check 'no acknowledged entry is lost when syncs, writes, truncations and renames
 sed -n -e 's/^  calls that failed: \(.*\)/# figure: failed calls: \1/p' -e 's/^  \([0-9]* cuts in these .*\)/# figure: \1/p' "$work/check.log"
 check 'a run in which too few calls fail is an error' missing_faults_are_found
 check 'the error names the calls that did not fail' grep -qx '  too few failed calls: 0 fsync, expected at least 2' "$work/few"
-check 'a card whose syncs have no effect is detected' a_liar_is_found
+check 'a card whose syncs have no effect is detected' lost_sync_is_found
 check 'the number of lost entries of that card is reported' grep -qE '[:,] [1-9][0-9]* (lost|unopenable)' "$work/liar"
 echo "1..$count"

@@ -1,7 +1,7 @@
 # usb.mk -- tests the USB transport with a simulated bus (tests/unit/support/usb/usb_sim.h), also
 # under the sanitizers.
 
-USB_TESTS := usb_transport usb_reports usb_unplug usb_crowd usb_ring usb_choice usb_kind usb_sysfs usb_wait
+USB_TESTS := usb_transport usb_reports usb_unplug usb_many usb_ring usb_choice usb_kind usb_sysfs usb_wait
 USB_SIM := usb_sim usb_sim_lib usb_sim_open
 
 # The simulated bus defines libusb's functions, because the linker prefers definitions of the

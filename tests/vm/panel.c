@@ -26,7 +26,7 @@
 #include <unistd.h>
 
 #define PATH_SIZE 256
-#define LOOK_MS 10.0
+#define POLL_MS 10.0
 /* Largest number of generated pulses. On a machine that never gives a pulse of the required length,
  * this limit ends the program. */
 #define PULSES_MAX 100000u
@@ -140,14 +140,14 @@ static void process_level(double polled_ms, int high)
     pthread_mutex_unlock(&seen.lock);
 }
 
-static void *look(void *self)
+static void *poll_line(void *self)
 {
     const long processor = (long)self;
     cpu_set_t only;
     CPU_ZERO(&only);
     CPU_SET((size_t)processor, &only);
     sched_setaffinity(0, sizeof only, &only);
-    for (;; wait_ms(LOOK_MS)) {
+    for (;; wait_ms(POLL_MS)) {
         const double polled_ms = now_ms();
         process_level(polled_ms, is_high(seen.path));
     }
@@ -160,12 +160,12 @@ __attribute__((noreturn)) static void count_rises(const char *wire, const char *
     snprintf(seen.path, sizeof seen.path, "%s/value", wire);
     for (long i = 0; i < processors; i++) {
         pthread_t eye;
-        if (pthread_create(&eye, NULL, look, (void *)i) != 0) {
+        if (pthread_create(&eye, NULL, poll_line, (void *)i) != 0) {
             fputs("panel: no thread to look with\n", stderr);
             exit(74);
         }
     }
-    for (uint32_t printed = UINT32_MAX;; wait_ms(10.0 * LOOK_MS)) {
+    for (uint32_t printed = UINT32_MAX;; wait_ms(10.0 * POLL_MS)) {
         const uint32_t rises = atomic_load(&seen.rises);
         if (rises != printed) {
             write_count(out, printed = rises);

@@ -98,7 +98,7 @@ static uint32_t caught(const struct core *core)
 
 /* Appends the path back to the start position, so that the next plan begins where this plan
  * began. */
-static void go_home(struct plan *out, struct poi_target home)
+static void append_return(struct plan *out, struct poi_target home)
 {
     const struct poi_target last = out->way[out->count - 1];
     for (uint32_t i = 1; i <= HOME_TICKS; i++) {
@@ -164,7 +164,7 @@ static int plan_scoop(uint32_t lead, uint32_t seed, struct plan *out)
     if (caught(&copy) == before) {
         return 0;
     }
-    go_home(out, home);
+    append_return(out, home);
     return 1;
 }
 
@@ -204,7 +204,7 @@ static bool can_play(void)
 
 /* Computes one more plan. The plan replaces the best plan if it landed a fish in more simulations,
  * or in equally many simulations within a shorter time. */
-static void think_once(uint32_t seed)
+static void plan_once(uint32_t seed)
 {
     static const int32_t jitter_ticks[JITTERS] = { -12, 8, 18, 32 };
     const uint32_t lead = (uint32_t)(THINK_S * CORE_TICK_HZ * pace.rate);
@@ -230,7 +230,7 @@ static double try_once(double seen_s, const char *folder, uint32_t *luck)
     uint32_t ideas = 0;
     plans[0].lands = 0;
     for (; ideas < TRIES_MAX && now_s() < enough_s; ideas++) {
-        think_once((*luck)++);
+        plan_once((*luck)++);
     }
     if (plans[0].lands == 0) {
         return 0.0;

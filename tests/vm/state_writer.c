@@ -14,7 +14,7 @@
 #include "tests/unit/support/menu_tag.h"
 
 /* Time between two reads of the recording, in ns. The recording grows once a second. */
-#define LOOK_NS 100000000
+#define POLL_NS 100000000
 
 static volatile sig_atomic_t must_end;
 
@@ -101,7 +101,7 @@ int main(int argc, char **argv)
 {
     static struct twin twin;
     const struct sigaction action = { .sa_handler = on_signal };
-    const struct timespec rest = { .tv_nsec = LOOK_NS };
+    const struct timespec rest = { .tv_nsec = POLL_NS };
     if (argc != 3) {
         fprintf(stderr, "usage: state_writer RECORDING FILE\n");
         return 2;

@@ -12,11 +12,11 @@ width=320 height=240
 # The guest's programs are emulated. The kiosk compiles its shaders in 90 s if no other program
 # uses the processors, and in more than 200 s on a busy machine.
 limit_s=${VM_SECONDS:-600} patience_s=${VM_PATIENCE:-120}
-look_pid='' planner_pid='' hanging=0
+writer_pid='' planner_pid='' hanging=0
 
 leave() {
     guest_stop
-    for pid in $look_pid $planner_pid; do
+    for pid in $writer_pid $planner_pid; do
         kill "$pid" 2>/dev/null || true
     done
 }
@@ -113,14 +113,14 @@ make_share
 step "boot ${GUEST}"
 guest_start "$limit_s"
 "$BUILD/tests/vm/state_writer" "$share/out/play.kgr" "$share/seen" &
-look_pid=$!
+writer_pid=$!
 guest_listen
 step "the guest is off (qemu ended with $qemu_status)"
 [ ! -d "$share/out/mesa" ] || { rm -rf "$cache/mesa"; mv "$share/out/mesa" "$cache/mesa"; }
 sleep 1
-kill "$look_pid" 2>/dev/null || true
-wait "$look_pid" || true
-look_pid=''
+kill "$writer_pid" 2>/dev/null || true
+wait "$writer_pid" || true
+writer_pid=''
 check_pictures
 check_logs
 check_watchdog

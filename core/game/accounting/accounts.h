@@ -271,7 +271,7 @@ uint32_t credit_tickets_won(const struct game *game, const struct core_config *c
 /* Adds `count` tickets that the kiosk owes to the balance, up to BALANCE_TICKETS_MAX. Returns the
  * number of added tickets, which the caller writes to the entry that contains the balance. In a
  * recording of the older format 7 all pulses of the dispenser are requested immediately instead. */
-uint32_t credit_owe_tickets(struct accounts *accounts, const struct core_config *config,
+uint32_t credit_add_tickets(struct accounts *accounts, const struct core_config *config,
                             uint32_t count);
 
 /* Adds tickets to the balance: the tickets that the players won in a finished round that was not

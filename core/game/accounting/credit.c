@@ -139,7 +139,7 @@ uint32_t credit_tickets_won(const struct game *game, const struct core_config *c
     return won;
 }
 
-uint32_t credit_owe_tickets(struct accounts *accounts, const struct core_config *config,
+uint32_t credit_add_tickets(struct accounts *accounts, const struct core_config *config,
                             uint32_t count)
 {
     CORE_ASSERT(accounts->ledger.balance.tickets <= BALANCE_TICKETS_MAX);
@@ -158,7 +158,7 @@ uint32_t credit_award_tickets(struct accounts *accounts, const struct game *game
                               const struct core_config *config)
 {
     CORE_ASSERT(game->phase == PHASE_RESULT || game->phase == PHASE_ROUND);
-    return credit_owe_tickets(accounts, config, credit_tickets_won(game, config));
+    return credit_add_tickets(accounts, config, credit_tickets_won(game, config));
 }
 
 /* ---- Displayed state of the credits --------------------------------------------------------- */

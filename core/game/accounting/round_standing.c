@@ -127,7 +127,7 @@ bool round_standing_finish(struct accounts *accounts, const struct core_config *
     }
     entry.round.id = ledger->last_id + 1u;
     ledger->balance.open = PAYMENT_NONE;
-    entry.value = (int32_t)credit_owe_tickets(accounts, config, (uint32_t)entry.value);
+    entry.value = (int32_t)credit_add_tickets(accounts, config, (uint32_t)entry.value);
     ledger_write(accounts, tick, &entry, output);
     return true;
 }

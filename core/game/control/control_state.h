@@ -13,7 +13,7 @@ struct control {
     uint8_t holder;
     uint32_t grip_tick; /* Tick at which the current source took control of the poi. */
     /* Target pose of the poi in the last tick, after smoothing and failsafe. */
-    struct poi_target hand_pose;
+    struct poi_target target_pose;
     /* Height of the controller's pose in the last tick, or -1 if the input was invalid. A dip is a
      * downward crossing of RULES_DIP_Y_M. */
     float live_y_m;

@@ -18,7 +18,7 @@
 #define GRIP_TICKS 144u
 /* Longest time for which an implausibly fast pose (an outlier) is ignored, a fifteenth of a
  * second. */
-#define DOUBT_TICKS 8u
+#define OUTLIER_TICKS 8u
 /* Distance to a new pose beyond which the poi moves slowly to the new pose instead of jumping. */
 #define FAR_M 0.30f
 /* Rotation to a new pose beyond which the poi moves slowly to the new pose instead of jumping. */
@@ -229,7 +229,7 @@ static void change_holder(struct control *control, struct bot *bot, const struct
     }
     if (poi->link == POI_SOURCE_BOT) {
         bot_init(bot, &technique_expert, seed);
-        bot->hand.pose = control->hand_pose;
+        bot->hand.pose = control->target_pose;
         /* Cancel a return to the pose of the previous controller, because the bot controls the poi
          * now. */
         controller_forget_path(control);
@@ -237,7 +237,7 @@ static void change_holder(struct control *control, struct bot *bot, const struct
     if (poi->link == POI_SOURCE_LIVE && control->holder == POI_SOURCE_LOST) {
         control->return_ticks = control->was_lost = 1;
     } else if (poi->link == POI_SOURCE_LOST) {
-        control->hand_pose = controller_failsafe_begin(poi, control->hand_pose);
+        control->target_pose = controller_failsafe_begin(poi, control->target_pose);
     } else {
         control->grip_tick = tick;
     }
@@ -261,17 +261,17 @@ static struct poi_target blend_to_holder(struct control *control, const struct g
     const float age = (float)(game->tick - control->grip_tick) / (float)GRIP_TICKS;
     wanted = within_reach(world, wanted,
                           game_may_scoop(game, index) ? -world->tank.size_m.y : CLEAR_Y_M);
-    return age < 1.0f ? pose_between(control->hand_pose, wanted, age * age * age) : wanted;
+    return age < 1.0f ? pose_between(control->target_pose, wanted, age * age * age) : wanted;
 }
 
 /* Filters outliers. A pose that is farther away than an arm can move in one tick may be a sensor
- * error. The target then stays unchanged until the error ends or has lasted for DOUBT_TICKS. Above
- * the water a fast motion of a mouse is accepted. `may_scoop` is true while the player may dip the
- * poi. */
+ * error. The target then stays unchanged until the error ends or has lasted for OUTLIER_TICKS.
+ * Above the water a fast motion of a mouse is accepted. `may_scoop` is true while the player may
+ * dip the poi. */
 static struct poi_target steady(struct control *control, const struct poi *poi,
                                 struct poi_target next, bool has_wrist, bool may_scoop)
 {
-    const struct poi_target hand = control->hand_pose;
+    const struct poi_target hand = control->target_pose;
     const float low_m = f_min(f_min(hand.position_m.y, poi->position_m.y), next.position_m.y);
     /* True if a wrong pose could damage the paper or lose a fish. */
     const bool at_stake = low_m < WET_BELOW_M || poi->carried_count > 0;
@@ -284,14 +284,14 @@ static struct poi_target steady(struct control *control, const struct poi *poi,
     /* Share of the motion to the new pose that the speed limits permit in one tick. */
     const float share = f_min(way_m > pace_m ? pace_m / way_m : 1.0f,
                               turn_rad > pace_rad ? pace_rad / turn_rad : 1.0f);
-    const bool is_doubted = share < 1.0f && is_arm && may_scoop;
+    const bool is_outlier = share < 1.0f && is_arm && may_scoop;
     const bool is_far = way_m > FAR_M || turn_rad > (has_wrist ? FAR_TURN : FAR_LEAN);
     CORE_ASSERT(share >= 0.0f && share <= 1.0f);
-    control->outlier_ticks = is_doubted ? control->outlier_ticks + 1u : 0u;
-    if (is_doubted && control->outlier_ticks <= DOUBT_TICKS) {
+    control->outlier_ticks = is_outlier ? control->outlier_ticks + 1u : 0u;
+    if (is_outlier && control->outlier_ticks <= OUTLIER_TICKS) {
         return hand;
     }
-    if (is_doubted && at_stake && is_far) {
+    if (is_outlier && at_stake && is_far) {
         control->return_ticks = 1;
         return hand;
     }
@@ -301,15 +301,15 @@ static struct poi_target steady(struct control *control, const struct poi *poi,
 /* Moves the poi by one tick toward the controller's pose after an input loss. The paper cannot be
  * damaged until the poi arrives or the damage immunity is used up. The immunity is limited for a
  * single return and for several returns together. */
-static struct poi_target return_to_hand(struct control *control, const struct game *game,
-                                        struct world *world, uint32_t index,
-                                        struct poi_target wanted)
+static struct poi_target return_to_controller(struct control *control, const struct game *game,
+                                              struct world *world, uint32_t index,
+                                              struct poi_target wanted)
 {
     CORE_ASSERT(control->return_ticks > 0);
     const uint32_t ticks = control->return_ticks;
     wanted = within_reach(world, wanted,
                           game_may_scoop(game, index) ? -world->tank.size_m.y : CLEAR_Y_M);
-    const struct poi_target hand = controller_failsafe_return(control->hand_pose, wanted, ticks);
+    const struct poi_target hand = controller_failsafe_return(control->target_pose, wanted, ticks);
     const bool is_back = controller_failsafe_is_returned(hand, wanted, ticks);
     world->poi[index].damage_immune = control->was_lost && ticks < FAILSAFE_IMMUNITY_TICKS_MAX &&
                                       control->immunity_ticks < IMMUNITY_TICKS_ALL;
@@ -341,11 +341,11 @@ static void tick_parked(struct control *control, struct bot *bot, const struct g
                         struct world *world, uint32_t index)
 {
     world->poi[index].damage_immune = 1;
-    control->hand_pose = parking_path(game, world, index, control->hand_pose);
+    control->target_pose = parking_path(game, world, index, control->target_pose);
     if (world->poi[index].link == POI_SOURCE_BOT) {
         const struct vision vision = { game, world, index };
         (void)bot_tick(bot, &vision);
-        bot->hand = (struct bot_hand){ .pose = control->hand_pose };
+        bot->hand = (struct bot_hand){ .pose = control->target_pose };
     } else {
         control->grip_tick = game->tick;
         controller_forget_path(control);
@@ -354,11 +354,11 @@ static void tick_parked(struct control *control, struct bot *bot, const struct g
 
 /* Updates the target pose of one poi. While the round is paused because of a lost controller, the
  * failsafe moves every poi of the tank out of the water. */
-static void tick_hand(struct control *control, struct bot *bot, const struct game *game,
-                      struct world *world, const struct input *input, uint32_t index)
+static void update_target(struct control *control, struct bot *bot, const struct game *game,
+                          struct world *world, const struct input *input, uint32_t index)
 {
     const struct poi_input *reported = &input->poi[index];
-    struct poi_target *hand = &control->hand_pose;
+    struct poi_target *hand = &control->target_pose;
     struct poi *poi = &world->poi[index];
     CORE_ASSERT(poi->link != POI_SOURCE_ABSENT);
     if (parking_tick(control, game, world, index)) {
@@ -380,7 +380,7 @@ static void tick_hand(struct control *control, struct bot *bot, const struct gam
         const struct vision vision = { game, world, index };
         *hand = blend_to_holder(control, game, world, index, bot_tick(bot, &vision));
     } else if (control->return_ticks > 0) {
-        *hand = return_to_hand(control, game, world, index, reported->target);
+        *hand = return_to_controller(control, game, world, index, reported->target);
     } else {
         if (game->tick % REFILL_TICKS == 0 && control->immunity_ticks > 0) {
             control->immunity_ticks--;
@@ -402,13 +402,13 @@ void controller_tick_all(struct control control[POI_MAX], struct bot bot[POI_MAX
         live[i] = (uint8_t)controller_is_active(world, i);
         if (live[i]) {
             change_holder(&control[i], &bot[i], &world->poi[i], game->tick, config->seed + i);
-            tick_hand(&control[i], &bot[i], game, world, input, i);
+            update_target(&control[i], &bot[i], game, world, input, i);
         } else {
             control[i].holder = POI_SOURCE_ABSENT;
             control[i].rest_ticks = 0;
             controller_forget_path(&control[i]);
         }
-        targets[i] = control[i].hand_pose;
+        targets[i] = control[i].target_pose;
         /* The height -1 marks invalid input, so that the next valid pose does not count as a dip
          * (downward crossing). */
         control[i].live_y_m = control[i].validation.verdict == INPUT_VALID

@@ -108,7 +108,7 @@ static uint16_t next_count(bool continues, uint16_t count, uint16_t most)
 
 /* Returns true if the current input is consistent with the earlier input. The tests for a frozen
  * sensor and for a jump both run in every tick, because each test updates counters. */
-static bool agrees(struct input_validation *validation, const struct poi_input *input)
+static bool is_consistent(struct input_validation *validation, const struct poi_input *input)
 {
     bool is_sane = true;
     if (input->link != POI_SOURCE_LIVE || !input_pose_is_finite(&input->target)) {
@@ -146,7 +146,7 @@ enum input_status input_validation_tick(struct input_validation *validation,
     validation->silent_ticks = input->has_gap ? INPUT_SILENT_TICKS : validation->silent_ticks;
     const bool was_lost = validation->verdict == INPUT_LOST;
     const uint16_t before = validation->silent_ticks;
-    const bool agreed = agrees(validation, input);
+    const bool agreed = is_consistent(validation, input);
     if (input->has_gap || (input->age_ticks < before && before <= INPUT_SILENT_TICKS)) {
         validation->late_ticks = (uint16_t)(3u * (before + 1u) / 4u);
     } else if (validation->late_ticks > 0) {

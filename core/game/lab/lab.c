@@ -35,35 +35,35 @@ void lab_begin(struct game *game, struct world *world, const struct core_config 
 static struct pointer_state first_pointer(const struct lab *lab, const struct world *world,
                                           const struct input *input)
 {
-    struct pointer_state hand = { 0 };
-    for (uint32_t i = 0; i < POI_MAX && !hand.present; i++) {
+    struct pointer_state pointer = { 0 };
+    for (uint32_t i = 0; i < POI_MAX && !pointer.present; i++) {
         if (world->bowl[i].present) {
-            hand = pointer_of_player(world, input, lab->upright, i);
+            pointer = pointer_of_player(world, input, lab->upright, i);
         }
     }
-    return hand;
+    return pointer;
 }
 
-/* Moves the lab's pointer to `hand` and updates whether the pointer is pressed. After a switch to a
- * different player's pointer, nothing is pressed until the new pointer has been above the water. A
- * drag by the previous player therefore does not continue. Returns true if the player leaves the
- * lab. */
+/* Moves the lab's pointer to `pointer` and updates whether the pointer is pressed. After a
+ * switch to a different player's pointer, nothing is pressed until the new pointer has been
+ * above the water. A drag by the previous player therefore does not continue. Returns true if
+ * the player leaves the lab. */
 static bool track_lab_hand(struct lab *lab, const struct lab_book *book, uint32_t tick,
-                           struct pointer_state hand, struct output *output)
+                           struct pointer_state pointer, struct output *output)
 {
-    if (!hand.present) {
-        lab->has_hand = lab->presses = 0;
+    if (!pointer.present) {
+        lab->has_pointer = lab->presses = 0;
         return lab_release(lab, book);
     }
-    if (lab->has_hand && hand.player != lab->hand) {
+    if (lab->has_pointer && pointer.player != lab->pointer_player) {
         lab->presses = 1;
         lab->holds = HOLD_BUTTON;
         lab->held_knot = LAB_NO_KNOT;
     }
-    lab->hand = hand.player;
-    lab->has_hand = 1;
-    lab->x = hand.at.x;
-    lab->y = hand.at.y;
+    lab->pointer_player = pointer.player;
+    lab->has_pointer = 1;
+    lab->x = pointer.at.x;
+    lab->y = pointer.at.y;
     const float x = lab->x - lab->stir_x, y = lab->y - lab->stir_y;
     if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
         lab->stir_x = lab->x;
@@ -71,7 +71,7 @@ static bool track_lab_hand(struct lab *lab, const struct lab_book *book, uint32_
         lab->stir_tick = tick;
     }
     const bool was_down = lab->presses;
-    lab->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
+    lab->presses = pointer.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (!lab->presses) {
         return lab_release(lab, book);
     }
@@ -168,7 +168,7 @@ void lab_show(const struct lab *lab, const struct lab_book *book, struct scene_l
     out->path = lab->path;
     out->points = lab->points;
     out->presses = lab->presses;
-    out->has_hand = lab->has_hand;
+    out->has_pointer = lab->has_pointer;
     out->holds = lab->holds;
     out->held_knot = lab->held_knot;
     out->upright = lab->upright;

@@ -270,7 +270,7 @@ static void point_at_lab_part(struct lab *lab, const struct species_card *card)
 
 void lab_press(struct lab *lab, const struct lab_book *book, uint32_t tick, struct output *output)
 {
-    CORE_ASSERT(lab->has_hand);
+    CORE_ASSERT(lab->has_pointer);
     const struct species_card *card = edited_card(lab, book);
     point_at_lab_part(lab, card);
     lab->act_tick = lab->stir_tick = tick;
@@ -300,10 +300,10 @@ void lab_press(struct lab *lab, const struct lab_book *book, uint32_t tick, stru
 
 bool lab_release(struct lab *lab, const struct lab_book *book)
 {
-    const bool leaves = lab->holds == HOLD_LEAVE && lab->has_hand;
+    const bool leaves = lab->holds == HOLD_LEAVE && lab->has_pointer;
     lab->holds = HOLD_NOTHING;
     lab->held_knot = LAB_NO_KNOT;
-    if (lab->has_hand) {
+    if (lab->has_pointer) {
         point_at_lab_part(lab, edited_card(lab, book));
     } else {
         lab->points = LAB_NOTHING;

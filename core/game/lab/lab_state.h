@@ -70,10 +70,10 @@ struct lab {
      * if the value is LAB_LAYER_SIZE. */
     uint8_t layer;
     uint8_t playing, compare, path;
-    uint8_t has_hand, presses;
-    uint8_t hand;   /* Player whose pose moves the pointer, or moved it last. */
-    uint8_t points; /* Part of the page under the pointer (enum lab_part). */
-    uint8_t holds;  /* Element that is dragged (enum lab_hold). */
+    uint8_t has_pointer, presses;
+    uint8_t pointer_player; /* Player whose pose moves the pointer, or moved it last. */
+    uint8_t points;         /* Part of the page under the pointer (enum lab_part). */
+    uint8_t holds;          /* Element that is dragged (enum lab_hold). */
     uint8_t held_knot;
     /* 1 if the last input reported a portrait screen, otherwise 0. */
     uint8_t upright;

@@ -5,7 +5,7 @@
 #include "core/game/phases.h"
 
 /* Ticks between two selections of the marked fish and of the hint: ten selections per second. */
-#define LOOK_TICKS 12u
+#define CHECK_TICKS 12u
 /* Time after which a marked fish that was not caught may be replaced by an easier one, unless the
  * ring is in the water. */
 #define MARK_TICKS (3u * CORE_TICK_HZ)
@@ -190,7 +190,7 @@ static void tick_hint(struct lesson *lesson, const struct game *game, const stru
         return;
     }
     hints_player_tick(&lesson->hints, game, world);
-    if (game->tick != game->phase_tick && game->tick % LOOK_TICKS != 0) {
+    if (game->tick != game->phase_tick && game->tick % CHECK_TICKS != 0) {
         return;
     }
     const uint8_t next = due_hint(lesson, game, world);
@@ -216,7 +216,7 @@ void lesson_tick(struct lessons *lessons, const struct game *game, const struct 
             reset_lesson(lessons, i);
         }
         lesson_ghost_tick(lessons, game, world, i, is_taught(game, world, i));
-        if (game->tick == game->phase_tick || game->tick % LOOK_TICKS == 0) {
+        if (game->tick == game->phase_tick || game->tick % CHECK_TICKS == 0) {
             mark_fish(lessons, game, world, i);
         }
         tick_hint(&lessons->player[i], game, world);

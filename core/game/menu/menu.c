@@ -240,7 +240,8 @@ static bool point_at_tag_by_hand(const struct menu_scope *scope, const struct wo
                                  const struct input *input)
 {
     struct menu *menu = scope->menu;
-    struct pointer_state hand = pointer_of_player(world, input, menu->upright, menu->hand);
+    struct pointer_state pointer =
+        pointer_of_player(world, input, menu->upright, menu->pointer_player);
     bool stirs = false;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct pointer_state other = pointer_of_player(world, input, menu->upright, i);
@@ -248,40 +249,40 @@ static bool point_at_tag_by_hand(const struct menu_scope *scope, const struct wo
         if (other.present && x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
             menu->rest[i] = other.at;
             menu->act_tick = scope->game->tick;
-            hand = other;
+            pointer = other;
             stirs = true;
         }
     }
-    if (!hand.present || uses_motion(menu)) {
-        menu->has_hand = menu->points = 0;
+    if (!pointer.present || uses_motion(menu)) {
+        menu->has_pointer = menu->points = 0;
         /* No pointer is present. A pointer that appears later selects nothing until its pose has
          * been above the water. */
         menu->presses = 1;
         return false;
     }
-    const bool was_down = menu->presses || hand.player != menu->hand;
-    menu->has_hand = 1;
-    menu->hand = hand.player;
-    menu->x = hand.at.x;
-    menu->y = hand.at.y;
+    const bool was_down = menu->presses || pointer.player != menu->pointer_player;
+    menu->has_pointer = 1;
+    menu->pointer_player = pointer.player;
+    menu->x = pointer.at.x;
+    menu->y = pointer.at.y;
     const uint16_t offered = menu_enabled(menu);
     uint8_t points = 0; /* Item under the pointer, counted from 1. 0 means no item. */
     for (uint32_t tag = 0; tag < menu_tag_count(menu->page, menu->rules) && points == 0; tag++) {
         const struct layout_box box =
             menu_box(menu->upright, menu->page, menu->rules, offered, tag);
-        points = pointer_is_inside(box, 0.0f, hand.at) ? (uint8_t)(tag + 1u) : 0u;
+        points = pointer_is_inside(box, 0.0f, pointer.at) ? (uint8_t)(tag + 1u) : 0u;
     }
     if (stirs && points != menu->points && points > 0) {
         point_at_tag(menu, points - 1u, scope->output);
     }
     menu->points = stirs ? points : menu->points;
-    menu->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
+    menu->presses = pointer.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (menu->presses && !was_down && points > 0) {
         menu->points = points;
         /* A dip of the poi selects the item under the pointer, even if a button has moved the
          * highlight. */
         point_at_tag(menu, points - 1u, scope->output);
-        menu_aim_at_arrow(menu, hand.at);
+        menu_aim_at_arrow(menu, pointer.at);
         return activate_pointed_tag(scope);
     }
     return false;
@@ -353,7 +354,7 @@ void menu_tick(struct game *game, struct world *world, struct core_config *confi
                                         : 0u;
         const bool is_taking =
             (menu->held & (INPUT_TEST | INPUT_START | INPUT_OK | directions)) != 0 ||
-            (menu->has_hand && menu->presses && menu->points == menu->tag[menu->page] + 1u);
+            (menu->has_pointer && menu->presses && menu->points == menu->tag[menu->page] + 1u);
         menu_settings_tick(&scope, is_taking);
         const uint32_t span = menu->page == MENU_PIN ? MENU_PIN_IDLE_TICKS : MENU_IDLE_TICKS;
         closes = game->tick - menu->act_tick >= span ||

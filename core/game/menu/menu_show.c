@@ -185,7 +185,7 @@ void menu_show(const struct game *game, const struct core_config *config, struct
     out->score = menu->score;
     out->upright = menu->upright;
     out->rules = menu->rules;
-    out->has_hand = menu->has_hand;
+    out->has_pointer = menu->has_pointer;
     out->presses = menu->presses;
     out->x = menu->x;
     out->y = menu->y;

@@ -244,7 +244,7 @@ struct menu {
      * the name waits for confirmation. */
     uint8_t score_is_named, is_unnaming;
     uint16_t scores; /* Bit mask of the leaderboard rows that have a score. */
-    uint8_t has_hand, hand, presses;
+    uint8_t has_pointer, pointer_player, presses;
     /* Item under the pointer, counted from 1. 0 means no item. */
     uint8_t points;
     uint8_t tag[MENU_PAGE_COUNT];         /* Index of the highlighted item of each page. */

@@ -59,7 +59,7 @@ static bool begin_next_turn(struct name *name, const struct game *game)
     name->waits &= (uint8_t)~(1u << best);
     name->alphabet = game->language == LANGUAGE_JA ? ALPHABET_HIRAGANA : ALPHABET_LATIN;
     name->refusals = 0;
-    name->has_hand = 0;
+    name->has_pointer = 0;
     begin_name_entry(name, game->tick);
     return true;
 }
@@ -77,7 +77,7 @@ bool name_begin(struct game *game, struct output *output)
 
 /* ---- Pressed keys of the keyboard ------------------------------------------------------------ */
 
-static bool stands_refused(const struct name *name)
+static bool has_refused_word(const struct name *name)
 {
     CORE_ASSERT(name->letter_count <= NAME_LETTERS_MAX);
     char words[LEDGER_NAME_SIZE];
@@ -89,7 +89,7 @@ void name_keep(struct accounts *accounts, const struct name *name, uint32_t tick
                struct output *output)
 {
     CORE_ASSERT(name->slot < POI_MAX);
-    if (name->letter_count == 0 || stands_refused(name)) {
+    if (name->letter_count == 0 || has_refused_word(name)) {
         return;
     }
     struct ledger_entry entry = { .kind = LEDGER_NAME,
@@ -119,7 +119,7 @@ static bool activate_key(struct name *name, uint32_t tick, struct output *output
         name->letter_count = (uint8_t)(name->letter_count - (name->letter_count > 0));
         break;
     case NAME_DONE:
-        if (stands_refused(name) && name->refusals < NAME_REFUSALS_MAX) {
+        if (has_refused_word(name) && name->refusals < NAME_REFUSALS_MAX) {
             name->refusals++;
             output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
             begin_name_entry(name, tick);
@@ -190,31 +190,31 @@ static bool take_name_buttons(struct name *name, uint32_t tick, const struct inp
 static bool point_at_key_by_hand(struct name *name, uint32_t tick, const struct world *world,
                                  const struct input *input, struct output *output)
 {
-    const struct pointer_state hand = pointer_of_player(world, input, name->upright, name->slot);
-    const bool was_down = name->presses || !name->has_hand;
+    const struct pointer_state pointer = pointer_of_player(world, input, name->upright, name->slot);
+    const bool was_down = name->presses || !name->has_pointer;
     uint8_t points = 0; /* Key under the pointer, counted from 1. 0 means no key. */
-    name->has_hand = hand.present;
-    if (!hand.present) {
+    name->has_pointer = pointer.present;
+    if (!pointer.present) {
         name->points = 0;
         return false;
     }
-    name->x = hand.at.x;
-    name->y = hand.at.y;
-    const float x = hand.at.x - name->rest_x, y = hand.at.y - name->rest_y;
+    name->x = pointer.at.x;
+    name->y = pointer.at.y;
+    const float x = pointer.at.x - name->rest_x, y = pointer.at.y - name->rest_y;
     if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
-        name->rest_x = hand.at.x;
-        name->rest_y = hand.at.y;
+        name->rest_x = pointer.at.x;
+        name->rest_y = pointer.at.y;
         name->act_tick = tick;
     }
     for (uint32_t key = 0; key < NAME_KEY_COUNT && points == 0; key++) {
         const struct layout_box box = name_box(name->upright, name->alphabet, key);
-        points = pointer_is_inside(box, 0.0f, hand.at) ? (uint8_t)(key + 1u) : 0u;
+        points = pointer_is_inside(box, 0.0f, pointer.at) ? (uint8_t)(key + 1u) : 0u;
     }
     if (points != name->points && points > 0) {
         point_at_key(name, tick, points - 1u, output);
     }
     name->points = points;
-    name->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
+    name->presses = pointer.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (name->presses && !was_down && points > 0) {
         /* A dip of the poi presses the key under the pointer, even if a button has moved the
          * highlight. */
@@ -259,7 +259,7 @@ void name_show(const struct game *game, struct scene_name *out)
     out->alphabet = name->alphabet;
     out->key = name->key;
     out->upright = name->upright;
-    out->has_hand = name->has_hand;
+    out->has_pointer = name->has_pointer;
     out->presses = name->presses;
     out->was_refused = name->refusals > 0;
     out->letter_count = name->letter_count;

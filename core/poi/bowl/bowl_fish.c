@@ -81,7 +81,7 @@ static void swim_in_bowl(struct fish *fish, uint32_t index, const struct bowl *b
  * and `on_b` are the horizontal unit vectors along the bodies, toward the snouts. A fish is
  * higher than wide. The vertical component is therefore multiplied by the smaller ratio of width
  * to height of the two fish, which makes the cross-section of the capsules circular. */
-static vec3 way_between(const struct fish *a, vec3 on_a, const struct fish *b, vec3 on_b)
+static vec3 axis_gap(const struct fish *a, vec3 on_a, const struct fish *b, vec3 on_b)
 {
     const vec3 d = v3_sub(b->position_m, a->position_m);
     const float ha = SPINE_HALF * a->length_m, hb = SPINE_HALF * b->length_m;
@@ -105,7 +105,7 @@ static void separate_bowl_fish(struct fish *a, vec3 on_a, struct fish *b, vec3 o
     if (v3_dot(d, d) >= reach_m * reach_m) {
         return;
     }
-    const vec3 way = way_between(a, on_a, b, on_b);
+    const vec3 way = axis_gap(a, on_a, b, on_b);
     const float square = v3_dot(way, way);
     if (square >= girths * girths) {
         return;

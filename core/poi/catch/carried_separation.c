@@ -75,7 +75,7 @@ static bool axes_cross(const struct capsule *a, const struct capsule *b)
 
 /* Returns the shortest vector from the axis of `a` to the axis of `b`. If the axes cross, returns a
  * very short vector in the direction from the centre of `a` to the centre of `b`. */
-static struct flat way_between(const struct capsule *a, const struct capsule *b)
+static struct flat axis_gap(const struct capsule *a, const struct capsule *b)
 {
     struct flat best = { b->centre.x - a->centre.x, b->centre.z - a->centre.z };
     if (axes_cross(a, b)) {
@@ -98,7 +98,7 @@ static float overlap_m(const struct capsule *a, const struct capsule *b, struct 
     if (square_m2(apart) >= reach_m * reach_m) {
         return -1.0f;
     }
-    const struct flat way = way_between(a, b);
+    const struct flat way = axis_gap(a, b);
     const float length_m = f_sqrt(square_m2(way));
     *out = length_m > 1e-9f ? (struct flat){ way.x / length_m, way.z / length_m }
                             : (struct flat){ a->axis.z, -a->axis.x };

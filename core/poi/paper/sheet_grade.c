@@ -99,8 +99,8 @@ static float cloud(uint32_t seed, uint32_t column, uint32_t row)
     return f_lerp(f_lerp(corner[0], corner[1], fx), f_lerp(corner[2], corner[3], fx), fz);
 }
 
-static void lay_cell(struct sheet *sheet, uint32_t row, uint32_t column, float whole, uint32_t seed,
-                     const struct spot spots[SPOT_COUNT])
+static void init_cell(struct sheet *sheet, uint32_t row, uint32_t column, float whole,
+                      uint32_t seed, const struct spot spots[SPOT_COUNT])
 {
     CORE_ASSERT(row < SHEET_SIDE && column < SHEET_SIDE);
     const float x = sheet_line_m(sheet, column), z = sheet_line_m(sheet, row);
@@ -151,7 +151,7 @@ void sheet_init(struct sheet *sheet, uint8_t grade, float radius_m, uint32_t see
     const float whole = 1.0f + STRENGTH_SD * f_clamp(normal, -2.5f, 2.5f);
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
         for (uint32_t column = 0; column < SHEET_SIDE; column++) {
-            lay_cell(sheet, row, column, whole, seed, spots);
+            init_cell(sheet, row, column, whole, seed, spots);
         }
     }
     sheet->paper_cells = sheet->paper_cells_new;

@@ -12,7 +12,7 @@
 #define ALARM_AFTER 0.2f
 /* Time in which a stimulus of strength 1 raises the alarm of a fish by 1. A visual stimulus has the
  * strength 1 at GROWTH_SPAN_RAD_S, and a pressure stimulus at PUSH_SPAN_M2_S2. */
-#define FRIGHT_S 0.12f
+#define STARTLE_RISE_S 0.12f
 #define STRENGTH_MAX 12.0f
 
 /* Limits above which an approaching object startles a fish. The visual angle of the object must
@@ -110,7 +110,7 @@ struct startle_stimulus startle_of_disc(const struct obstacle *disc, const struc
         .cause = most <= 0.0f   ? STARTLE_NONE
                  : felt >= seen ? STARTLE_PRESSURE
                                 : STARTLE_LOOM,
-        .alarm_per_s = most / FRIGHT_S,
+        .alarm_per_s = most / STARTLE_RISE_S,
     };
 }
 

@@ -97,7 +97,7 @@ void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, 
 
 /* Returns true if the fish turns at the full rate of a C-start (escape). The turn is slower after
  * the C-start, and while other fish are close beside the fish. */
-static bool starts_freely(const struct fish *fish)
+static bool turns_at_full_rate(const struct fish *fish)
 {
     return fish->room >= 1.0f && escape_on_path(fish);
 }
@@ -116,7 +116,7 @@ static float turn_rate_limit_rad_s(const struct fish *fish, const struct percept
 {
     switch (fish->gait) {
     case GAIT_ESCAPE:
-        return starts_freely(fish) ? TURN_RATE_START : TURN_RATE_ESCAPE;
+        return turns_at_full_rate(fish) ? TURN_RATE_START : TURN_RATE_ESCAPE;
     case GAIT_BURST:
         return TURN_RATE_BURST;
     case GAIT_SWIM:
@@ -177,7 +177,7 @@ void swim_resolve(struct fish *fish, const struct perception *around)
     fish->speed_up_keep = speed_up_factor(fish);
     fish->slow_keep = slow_down_factor(fish, around->params);
     fish->turn_rate_max_rad_s = turn_rate_limit_rad_s(fish, around);
-    fish->haste = starts_freely(fish)           ? HASTE_START
+    fish->haste = turns_at_full_rate(fish)      ? HASTE_START
                   : starts                      ? DASH_HASTE
                   : fish->avoiding == AVOID_YAW ? around->params->swerve_haste
                   : kicks(fish, around)         ? GAIT_KICK_HASTE

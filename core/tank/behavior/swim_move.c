@@ -16,7 +16,7 @@ static float ease(float from, float to, float tau_s)
 
 /* Returns the fraction by which a value of the fish, for example its bend, approaches its goal in
  * one tick. The fraction grows with the `haste` of the fish. */
-static float hasten(const struct fish *fish, float tau_s)
+static float approach_share(const struct fish *fish, float tau_s)
 {
     return f_min(1.0f, fish->haste * (DT / tau_s));
 }
@@ -32,7 +32,7 @@ float swim_move(struct fish *fish, const struct behavior_params *params)
      * beside it. */
     const float rate_max = fish->turn_rate_max_rad_s * fish->room;
     const float wanted = f_clamp(TURN_GAIN_PER_S * fish->haste * error_rad, -rate_max, rate_max);
-    fish->yaw_rate_rad_s = f_lerp(fish->yaw_rate_rad_s, wanted, hasten(fish, TURN_TAU_S));
+    fish->yaw_rate_rad_s = f_lerp(fish->yaw_rate_rad_s, wanted, approach_share(fish, TURN_TAU_S));
     fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + fish->yaw_rate_rad_s * DT);
     const float bank_rad =
         params->banks ? f_clamp(BANK_PER_RAD_S * fish->yaw_rate_rad_s, -BANK_MAX_RAD, BANK_MAX_RAD)
@@ -40,7 +40,7 @@ float swim_move(struct fish *fish, const struct behavior_params *params)
     fish->angles.roll_rad = ease(fish->angles.roll_rad, bank_rad, BANK_TAU_S);
     fish->climb_m_s = ease(fish->climb_m_s, fish->climb_goal_m_s, CLIMB_TAU_S);
     fish->angles.pitch_rad =
-        f_lerp(fish->angles.pitch_rad, fish->pitch_goal_rad, hasten(fish, PITCH_TAU_S));
+        f_lerp(fish->angles.pitch_rad, fish->pitch_goal_rad, approach_share(fish, PITCH_TAU_S));
     const float goal_m_s = fish->speed_goal_m_s * fish->brake;
     const float slow_keep = f_lerp(BRAKE_KEEP, fish->slow_keep, fish->brake);
     const float keep = goal_m_s > fish->speed_m_s ? fish->speed_up_keep : slow_keep;
@@ -112,7 +112,7 @@ void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward)
     const float hz = lengths_per_s < BEAT_FAST_LENGTHS_PER_S
                          ? f_max(BEAT_MIN_HZ, lengths_per_s / BEAT_LENGTHS)
                          : 4.0f / 3.0f * (lengths_per_s + 1.0f);
-    fish->tail_beat_hz = f_lerp(fish->tail_beat_hz, hz, hasten(fish, TAIL_TAU_S));
+    fish->tail_beat_hz = f_lerp(fish->tail_beat_hz, hz, approach_share(fish, TAIL_TAU_S));
     /* Without tail beats (in a glide), the tail only trails behind the body, so its amplitude is
      * smaller. */
     const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
@@ -121,12 +121,12 @@ void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward)
     fish->tail_amplitude =
         f_lerp(fish->tail_amplitude,
                fish->beats > 0.0f ? STROKE_SLOW + wider : STROKE_GLIDE + STROKE_TRAIL * wider,
-               hasten(fish, STROKE_TAU_S));
+               approach_share(fish, STROKE_TAU_S));
     const float phase_rad = fish->tail_phase_rad + F_TAU * fish->tail_beat_hz * DT;
     fish->tail_phase_rad = phase_rad >= F_TAU ? phase_rad - F_TAU : phase_rad;
     const float arc_rad = f_clamp(BEND_PER_RAD_S * fish->yaw_rate_rad_s, -1.0f, 1.0f);
     const float bend_rad = fish->bend_goal_rad + (fish->haste < HASTE_START ? arc_rad : 0.0f);
-    fish->bend_rad = f_lerp(fish->bend_rad, bend_rad, hasten(fish, BEND_TAU_S));
+    fish->bend_rad = f_lerp(fish->bend_rad, bend_rad, approach_share(fish, BEND_TAU_S));
 }
 
 /* ---- Motion of all fish of a tank ------------------------------------------------------------ */

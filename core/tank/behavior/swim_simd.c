@@ -63,7 +63,7 @@ static inline flanes ease(flanes from, flanes to, float tau_s)
     return from + (to - from) * f_min(1.0f, DT / tau_s);
 }
 
-static inline flanes hasten(flanes haste, float tau_s)
+static inline flanes approach_share(flanes haste, float tau_s)
 {
     return simd_min(simd_splat(1.0f), haste * (DT / tau_s));
 }
@@ -89,11 +89,11 @@ void SIMD_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
     const flanes haste = commands[0], rate_max = pace[3] * course[3];
     const flanes error_rad = simd_wrap_angle(course[0] + course[1] - angles[0]);
     const flanes wanted = simd_clamp(TURN_GAIN_PER_S * haste * error_rad, -rate_max, rate_max);
-    const flanes rate = simd_lerp(angles[3], wanted, hasten(haste, TURN_TAU_S));
+    const flanes rate = simd_lerp(angles[3], wanted, approach_share(haste, TURN_TAU_S));
     const flanes bank_rad =
         params->banks ? clamp_magnitude(BANK_PER_RAD_S * rate, BANK_MAX_RAD) : simd_splat(0.0f);
     const flanes yaw_rad = simd_wrap_angle(angles[0] + rate * DT);
-    const flanes pitch_rad = simd_lerp(angles[1], commands[2], hasten(haste, PITCH_TAU_S));
+    const flanes pitch_rad = simd_lerp(angles[1], commands[2], approach_share(haste, PITCH_TAU_S));
     const flanes roll_rad = ease(angles[2], bank_rad, BANK_TAU_S);
     const flanes climb_m_s = ease(push[3], commands[1], CLIMB_TAU_S);
     const flanes goal_m_s = pace[0] * course[2];
@@ -175,16 +175,17 @@ void SIMD_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
     const flanes fast = 4.0f / 3.0f * (lengths_per_s + 1.0f);
     const flanes hz =
         simd_lerp(tail[1], simd_select(lengths_per_s < BEAT_FAST_LENGTHS_PER_S, slow, fast),
-                  hasten(commands[0], TAIL_TAU_S));
-    const flanes amplitude =
-        simd_lerp(tail[2], stroke_goal(hz, commands[3] > 0.0f), hasten(commands[0], STROKE_TAU_S));
+                  approach_share(commands[0], TAIL_TAU_S));
+    const flanes amplitude = simd_lerp(tail[2], stroke_goal(hz, commands[3] > 0.0f),
+                                       approach_share(commands[0], STROKE_TAU_S));
     const flanes phase = tail[0] + F_TAU * hz * DT;
     /* The body bends toward `wanted_rad`: the intended bend (`bend_goal_rad`) plus a bend along the
      * arc of the turn. In a C-start (escape) no bend along the arc is added. */
     const flanes arc_rad = clamp_magnitude(BEND_PER_RAD_S * angles[3], 1.0f);
     const flanes wanted_rad =
         tail[3] + simd_select(commands[0] < HASTE_START, arc_rad, simd_splat(0.0f));
-    const flanes bend_rad = simd_lerp(still[3], wanted_rad, hasten(commands[0], BEND_TAU_S));
+    const flanes bend_rad =
+        simd_lerp(still[3], wanted_rad, approach_share(commands[0], BEND_TAU_S));
 
     const struct simd_v3 shoved_m = { centre[0] - place[0], centre[1] - place[1],
                                       centre[2] - place[2] };

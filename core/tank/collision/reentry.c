@@ -98,7 +98,7 @@ void reentry_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
 
 /* Moves the fish into the tank if it is outside. A fish above the surface comes down by at most
  * FALL_MAX_M per tick. */
-static void come_down(const struct tank *tank, struct fish *fish)
+static void lower_into_tank(const struct tank *tank, struct fish *fish)
 {
     const float high_m = fish->position_m.y - FALL_MAX_M;
     stay_within(tank, fish, -1.0f);
@@ -271,7 +271,7 @@ static void move_dropped_fish(struct tank *tank, uint32_t index, const struct ob
     fish->velocity_m_s = v3_scale(fish->velocity_m_s, 1.0f - DRAG_PER_S * CORE_TICK_S);
     fish->velocity_m_s.y -= SINK_M_S * DRAG_PER_S * CORE_TICK_S;
     fish->position_m = v3_muladd(fish->position_m, fish->velocity_m_s, CORE_TICK_S);
-    come_down(tank, fish);
+    lower_into_tank(tank, fish);
     const bool off_fish = part_from_fish(tank, index, &fish_push_m);
     const bool swims = fish->position_m.y < 0.0f;
     if (part_from_obstacles(fish, before_m, obstacles, obstacle_count, &push_m) && off_fish &&
@@ -285,7 +285,7 @@ static void move_dropped_fish(struct tank *tank, uint32_t index, const struct ob
                     the paper of a poi and over its ring. */
         fish->position_m = v3_add(fish->position_m, v3_limit(push_m, PUSH_MAX_M));
     }
-    come_down(tank, fish);
+    lower_into_tank(tank, fish);
     if (!keep_off_paper(fish, before_m, obstacles, obstacle_count) && seeks) {
         seek_gap(tank, index, obstacles, obstacle_count);
     }

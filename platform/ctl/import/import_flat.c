@@ -149,10 +149,10 @@ static void read_life(struct flattening *f)
 
 /* Callback for assimp's log messages. assimp drops faces with invalid vertex indices, and reports
  * the dropped faces only in its log. */
-static void listen(const char *line, char *heard)
+static void detect_dropped_faces(const char *line, char *is_dropped)
 {
     if (strstr(line, "out-of-range indices")) {
-        *heard = 1;
+        *is_dropped = 1;
     }
 }
 
@@ -187,7 +187,7 @@ bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_
         return import_error(why, "libassimp cannot be loaded");
     }
     char dropped = 0;
-    const struct aiLogStream log = { listen, &dropped };
+    const struct aiLogStream log = { detect_dropped_faces, &dropped };
     assimp.attach(&log);
     f.scene = assimp.read(path, aiProcess_Triangulate);
     assimp.detach();

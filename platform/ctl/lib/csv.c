@@ -21,7 +21,7 @@
 
 #define BLANKS " \t\r\n"
 
-static enum exit_code refuse_line(const struct csv *csv, const char *what)
+static enum exit_code reject_line(const struct csv *csv, const char *what)
 {
     return print_fail(EXIT_BAD_DATA, "%s: %s: line %u: %s", csv->prefix, csv->path, csv->line,
                       what);
@@ -52,7 +52,7 @@ static enum exit_code csv_next_line(struct csv *csv, bool *is_end)
                                      : EXIT_OK;
         }
         if (result == FILE_LINE_BAD) {
-            return refuse_line(csv, "is longer than any line of numbers");
+            return reject_line(csv, "is longer than any line of numbers");
         }
         if (csv->line == 1) {
             const char *first = file_skip_mark(csv->text);
@@ -99,7 +99,7 @@ static enum exit_code read_head(struct csv *csv)
     bool is_end;
     enum exit_code code = csv_next_line(csv, &is_end);
     if (code == EXIT_OK && is_end) {
-        return refuse_line(csv, "is empty: the header line with the column names is missing");
+        return reject_line(csv, "is empty: the header line with the column names is missing");
     }
     char *rest = csv->text;
     for (char *name; code == EXIT_OK && (name = cut_field(&rest));) {
@@ -199,7 +199,7 @@ enum exit_code csv_read(struct csv *csv,
         }
     }
     if (code == EXIT_OK && row_count == 0) {
-        code = refuse_line(csv, "a row of numbers is missing");
+        code = reject_line(csv, "a row of numbers is missing");
     }
     fclose(csv->file);
     return code;

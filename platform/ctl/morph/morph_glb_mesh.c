@@ -52,7 +52,7 @@ static float share_of(const struct morph_glb *fish, uint32_t vertex, uint32_t cu
     return (float)share / 255.0f;
 }
 
-static void add_look(struct aspect *sum, const struct aspect *look, float weight)
+static void add_aspect(struct aspect *sum, const struct aspect *look, float weight)
 {
     sum->position = v3_muladd(sum->position, look->position, weight);
     sum->normal = v3_muladd(sum->normal, look->normal, weight);
@@ -78,7 +78,7 @@ static struct aspect solved_aspect(const struct morph_glb *fish, uint32_t vertex
         const struct paint *paint = &fish->paints[j][vertex];
         drawn.colour = canvas_linear(paint->colour);
         drawn.hides = fish_preview_hides(paint, &fish->mesh->vertices[vertex]);
-        add_look(&sum, &drawn, fish->pick->rig.solution[curve][key][j]);
+        add_aspect(&sum, &drawn, fish->pick->rig.solution[curve][key][j]);
     }
     return sum;
 }
@@ -108,7 +108,7 @@ static struct aspect base_appearance(const struct morph_glb *fish, uint32_t vert
     struct aspect sum = { .hides = 0.0f };
     for (uint32_t curve = 0; curve < fish->pick->rig.curve_count; curve++) {
         const struct aspect one = solved_aspect(fish, vertex, curve, last);
-        add_look(&sum, &one, share_of(fish, vertex, curve));
+        add_aspect(&sum, &one, share_of(fish, vertex, curve));
     }
     sum.colour = v3(f_clamp(painted.colour.x, 0.0f, 1.0f), f_clamp(painted.colour.y, 0.0f, 1.0f),
                     f_clamp(painted.colour.z, 0.0f, 1.0f));
@@ -125,7 +125,7 @@ static struct aspect target_appearance(const struct morph_glb *fish, uint32_t ve
     const struct aspect to = solved_aspect(fish, vertex, curve, key);
     struct aspect way = to;
     const struct aspect from = solved_aspect(fish, vertex, curve, fish->pick->rig.key_count - 1u);
-    add_look(&way, &from, -1.0f);
+    add_aspect(&way, &from, -1.0f);
     way.position = v3_scale(way.position, share);
     way.normal = v3_scale(way.normal, share);
     if (curve != 0) {
@@ -157,7 +157,7 @@ static struct {
     uint16_t indices[MESH_INDEX_MAX];
 } columns;
 
-static void put_look(uint32_t place, const struct aspect *look)
+static void write_aspect(uint32_t place, const struct aspect *look)
 {
     memcpy(columns.position[place], &look->position, sizeof look->position);
     memcpy(columns.normal[place], &look->normal, sizeof look->normal);
@@ -249,7 +249,7 @@ static void print_attributes(struct morph_glb *fish, bool skinned, struct json *
         struct aspect look = base_appearance(fish, columns.vertices[i]);
         columns.facing[i] = f_max(v3_length(look.normal), 1e-6f);
         look.normal = v3_normalize_or(look.normal, v3(0.0f, 1.0f, 0.0f));
-        put_look(i, &look);
+        write_aspect(i, &look);
     }
     print_shape(fish, "attributes", out);
     print_column(fish, out, "_VERTEX", GLB_FOR_VERTICES, GLB_SCALAR, columns.source);
@@ -270,7 +270,7 @@ static void print_targets(struct morph_glb *fish, const struct target_list *list
             /* Only the direction of a blended normal matters. All normals of a vertex are therefore
              * divided by the length of the base normal. */
             look.normal = v3_scale(look.normal, 1.0f / columns.facing[i]);
-            put_look(i, &look);
+            write_aspect(i, &look);
         }
         print_shape(fish, NULL, out);
         json_close(out, '}');

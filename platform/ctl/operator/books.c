@@ -27,7 +27,7 @@ const struct option_table books_options = OPTION_TABLE(options, NULL);
 
 /* Returns 0 if `path` exists, otherwise an errno. EACCES is common, because most users have no
  * access to the data folder of the system service. */
-static int look_for(const char *path)
+static int existence_error(const char *path)
 {
     struct stat about;
     return lstat(path, &about) ? errno : 0;
@@ -40,7 +40,7 @@ void books_path(const struct books_words *words, char path[BOOKS_PATH_SIZE])
     const char *folder = words->data ? words->data : service_folder;
     snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, folder);
     file_default_data(own);
-    if (!words->data && look_for(path) == ENOENT && own[0]) {
+    if (!words->data && existence_error(path) == ENOENT && own[0]) {
         snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, own);
     }
 }
@@ -95,7 +95,7 @@ enum exit_code books_open(const char *command, const struct books_words *words,
     char path[BOOKS_PATH_SIZE];
     CORE_ASSERT(command && words && out);
     books_path(words, path);
-    const int error = look_for(path);
+    const int error = existence_error(path);
     if (error) {
         return print_fail(EXIT_IO, "kingyoctl %s: %s: %s", command, path,
                           error == ENOENT   ? "does not exist; name the data folder with --data"

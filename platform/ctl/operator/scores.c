@@ -47,7 +47,7 @@ struct finding {
     double play_s, took_s;
 };
 
-static struct finding look_into(struct ledger_file *file, uint32_t round_id)
+static struct finding verify_round(struct ledger_file *file, uint32_t round_id)
 {
     struct finding found = { .round_id = round_id, .verdict = REPLAY_VERDICT_DAMAGED };
     const uint64_t begin_ns = ctl_now_ns();
@@ -139,7 +139,7 @@ static enum exit_code verify(const struct scores_request *request, struct ledger
         puts("no player has caught a fish yet");
     }
     for (uint32_t i = 0; i < count; i++) {
-        const struct finding found = look_into(file, rounds[i]);
+        const struct finding found = verify_round(file, rounds[i]);
         if (as_json) {
             finding_json(&found, &json);
         } else {

@@ -40,7 +40,7 @@ static void wet_paper(struct paper_lab *lab)
 
 /* Places the fish on the paper in the spiral pattern of sunflower seeds. No fish lies on another if
  * the paper has room for all of them. */
-static void lay_fish(struct paper_lab *lab)
+static void place_fish(struct paper_lab *lab)
 {
     const struct paper_options *plan = lab->plan;
     const struct basis axes = vec_basis_from_angles(lab->poi.angles);
@@ -90,7 +90,7 @@ void paper_lab_open(struct paper_lab *lab, const struct paper_options *plan)
     poi->water_kg = poi->film_kg + poi->pool_kg;
     poi->immersed = disc_immersed(POI_RADIUS_M, poi->position_m.y, up_y);
     if (plan->in_air) {
-        lay_fish(lab);
+        place_fish(lab);
     }
 }
 

@@ -118,7 +118,7 @@ static struct round_result play_one(struct worker *worker, const struct round_pl
     worker->output = (struct output){ 0 };
     worker->tap = (struct kiosk_tap){ 0 };
     bot_init(&worker->bot, &plan->technique, plan->seed);
-    worker->bot.hand.pose = core_status(&worker->core).player[0].hand_pose;
+    worker->bot.hand.pose = core_status(&worker->core).player[0].target_pose;
     if (plan->record) {
         rounds_record_path(path, plan->record, index);
         result.error = -recorder_begin(&worker->recorder, path, &worker->core);

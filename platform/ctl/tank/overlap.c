@@ -251,7 +251,7 @@ void tank_meetings_update(struct tank_meetings *meetings, const struct tank *tan
         }
     }
     meetings->unlooked_ticks += ticks;
-    if (meetings->unlooked_ticks >= TANK_MEETINGS_LOOK_TICKS) {
+    if (meetings->unlooked_ticks >= TANK_MEETINGS_SAMPLE_TICKS) {
         remove_separated_pairs(meetings, tank, meetings->unlooked_ticks);
         meetings->unlooked_ticks = 0;
     }

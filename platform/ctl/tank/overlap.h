@@ -57,7 +57,7 @@ void overlap_add(struct overlap *overlap, const struct tank *tank, struct overla
  * density of the 2005 thesis, there are 1.4 overlaps of personal spaces per fish. */
 #define TANK_MEETINGS_OPEN_MAX (8u * TANK_FISH_MAX)
 /* Minimum number of ticks between two checks of the open pairs. */
-#define TANK_MEETINGS_LOOK_TICKS 4u
+#define TANK_MEETINGS_SAMPLE_TICKS 4u
 /* Number of ticks without an overlap of the personal spaces after which an encounter has ended. 60
  * ticks are 0.5 s. Two personal spaces that overlap again within this time belong to the same
  * encounter. */

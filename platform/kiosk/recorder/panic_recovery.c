@@ -31,7 +31,7 @@ static int write_count(const struct evidence *evidence)
     return error;
 }
 
-static void *outlive_refused(void *self)
+static void *clear_count_later(void *self)
 {
     struct evidence *evidence = self;
     struct timespec left = { .tv_sec = PANICS_WITHIN_S };
@@ -72,7 +72,7 @@ static void leave_out(struct evidence *evidence)
          * created, the count stays, and the next program start leaves out the same part of the data
          * once more. */
         pthread_t thread;
-        if (thread_start(&thread, outlive_refused, evidence) == 0) {
+        if (thread_start(&thread, clear_count_later, evidence) == 0) {
             pthread_detach(thread);
         }
     }

@@ -107,8 +107,8 @@ bool replay_verifier_is_at_round(const struct replay_verifier *verifier)
 
 /* Returns true if at least one row of the ranking has the id `round_id`, and every row with this id
  * equals the simulated round. */
-static bool agrees_with(const struct replay_verifier *verifier, const struct ranking *ranking,
-                        uint32_t round_id)
+static bool ranking_matches(const struct replay_verifier *verifier, const struct ranking *ranking,
+                            uint32_t round_id)
 {
     const struct round_record *round = &verifier->round.round;
     const struct rank_row *rows = &ranking->row[0][0][0];
@@ -168,7 +168,7 @@ enum replay_verdict replay_verifier_result(const struct replay_verifier *verifie
     }
     if (replayer->difference.found || replayer->totals.ticks != verifier->recorded.ticks ||
         verifier->round.id != round_id || verifier->round.round.by_bot ||
-        verifier->round.round.unscored || !agrees_with(verifier, ranking, round_id) ||
+        verifier->round.round.unscored || !ranking_matches(verifier, ranking, round_id) ||
         (kept->id != 0 && !is_entry(&verifier->round, kept))) {
         return REPLAY_VERDICT_OTHER;
     }

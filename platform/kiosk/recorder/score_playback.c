@@ -50,7 +50,7 @@ bool score_playback_handle_input(struct score_playback *playback, uint32_t press
     return false;
 }
 
-static void conclude(struct score_playback *playback, const struct ranking *ranking)
+static void set_result(struct score_playback *playback, const struct ranking *ranking)
 {
     const enum replay_verdict verdict =
         replay_verifier_result(&playback->verifier, ranking, playback->round_id, &playback->kept);
@@ -85,7 +85,7 @@ static void fetch_score_replay(struct score_playback *playback, const struct hal
     if (size <= 0) {
         playback->state = PLAYBACK_NONE;
     } else if (replay_verifier_open(&playback->verifier, playback->bytes, (size_t)size)) {
-        conclude(playback, ranking);
+        set_result(playback, ranking);
     } else {
         playback->is_open = true;
     }
@@ -113,7 +113,7 @@ static void seek(struct score_playback *playback, const struct hal_clock *stopwa
             is_over = !replay_verifier_tick(&playback->verifier);
         }
         if (is_over) {
-            conclude(playback, ranking);
+            set_result(playback, ranking);
         }
         spent_ns = hal_now_ns(*stopwatch) - begin_ns;
     }
@@ -131,7 +131,7 @@ void score_playback_frame(struct score_playback *playback, const struct hal *hal
     } else if (playback->state == PLAYBACK_PLAYS) {
         for (uint32_t i = 0; i < tick_count && playback->state == PLAYBACK_PLAYS; i++) {
             if (!replay_verifier_tick(&playback->verifier)) {
-                conclude(playback, ranking);
+                set_result(playback, ranking);
             }
         }
     } else if (playback->state != PLAYBACK_OFF) {

@@ -110,7 +110,7 @@ static void player_marks(const struct ui_frame *frame, uint8_t level, struct ui_
     const float radius = 18.0f * frame->unit;
     float y = box.y + 1.3f * radius;
     for (uint32_t i = 0; i < POI_MAX && ui_bowl_count(scene) > 1u; i++) {
-        if (scene->player[i].has_hand && scene->player[i].level == level) {
+        if (scene->player[i].has_pointer && scene->player[i].level == level) {
             ui_player_mark(frame, box.x + 1.3f * radius, y, radius, i);
             y += 2.3f * radius;
         }
@@ -201,7 +201,7 @@ void ui_choose(const struct ui_frame *frame)
     ui_credits(frame, 128.0f * frame->unit, 62.0f * frame->unit);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct scene_player *const player = &scene->player[i];
-        if (player->has_hand) {
+        if (player->has_pointer) {
             ui_poi_sign(&canvas, canvas.x + player->x * u, canvas.y + player->y * u, 20.0f * u,
                         1.0f, ui_player_colours[i]);
         }

@@ -75,7 +75,7 @@ static bool has_others_tail(struct salvage *salvage)
 
 /* ---- Range of ids -------------------------------------------------------------------------- */
 
-static bool reads_well(struct salvage *salvage, int64_t id)
+static bool is_readable(struct salvage *salvage, int64_t id)
 {
     struct ledger_entry entry;
     return id > 0 && id <= UINT32_MAX &&
@@ -89,13 +89,13 @@ static void find_range(struct salvage *salvage)
     int64_t min = 0, max = 0;
     sqlite3 *db = salvage->from.db;
     const bool has_min = sql_number(db, "SELECT min(id) FROM entries", &min) == SQLITE_OK &&
-                         reads_well(salvage, min);
+                         is_readable(salvage, min);
     const bool has_max =
         sql_number(db, "SELECT max(id) FROM entries", &max) == SQLITE_OK && max >= 0;
     if (has_min && min > salvage->first) {
         salvage->first = (uint32_t)min;
     }
-    if (has_max && max > (int64_t)salvage->first + SALVAGE_MAX && reads_well(salvage, max)) {
+    if (has_max && max > (int64_t)salvage->first + SALVAGE_MAX && is_readable(salvage, max)) {
         salvage->first = (uint32_t)max - SALVAGE_MAX;
     }
     salvage->last_is_newest = has_max && max <= (int64_t)salvage->first + SALVAGE_MAX;

@@ -177,7 +177,7 @@ static bool worker_open(struct round_worker *worker, const struct habits *habits
     if (kiosk_init(&worker->kiosk, &worker->hal, &config) != CORE_OK) {
         return false;
     }
-    worker->bot.hand.pose = worker->kiosk.core.game.control[0].hand_pose;
+    worker->bot.hand.pose = worker->kiosk.core.game.control[0].target_pose;
     return true;
 }
 

@@ -96,7 +96,7 @@ static void test_a_round_shows_its_phase_its_length_and_its_players(void **state
     assert_int_equal(status.round_s, 20);
     assert_int_equal(status.player[0].plays, 1);
     assert_int_equal(status.player[1].plays, 0);
-    assert_true(v3_length(status.player[0].hand_pose.position_m) > 0.0f);
+    assert_true(v3_length(status.player[0].target_pose.position_m) > 0.0f);
     const struct round_record record = core_round_record(&core);
     assert_int_equal(record.players, 1);
     assert_int_equal(record.round_s, 20);

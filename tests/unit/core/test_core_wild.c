@@ -131,7 +131,7 @@ static void spoil(struct poi_input *poi, struct wild_hand *hand)
 }
 
 /* Connects or disconnects a controller at random, and sometimes starts a fault. */
-static void stir_hand(struct poi_input *poi, struct wild_hand *hand)
+static void move_hand(struct poi_input *poi, struct wild_hand *hand)
 {
     wander(hand);
     if (draw(700) == 0) {
@@ -150,7 +150,7 @@ static void stir_hand(struct poi_input *poi, struct wild_hand *hand)
 
 /* Presses the buttons that leave the operator's menu after the menu was open for five seconds.
  * Otherwise the random input would stay in the menu for most of the time. */
-static void heed_visits(struct input *input)
+static void follow_visits(struct input *input)
 {
     const uint32_t stay_ticks = core.game.tick - core.game.phase_tick;
     input->pressed &= draw(16) == 0 ? ~0u : ~(uint32_t)INPUT_TEST;
@@ -159,10 +159,10 @@ static void heed_visits(struct input *input)
     }
 }
 
-static void stir(struct input *input)
+static void randomize(struct input *input)
 {
     input->pressed = draw(200) == 0 ? draw(INPUT_BUTTON_ALL + 1u) : 0;
-    heed_visits(input);
+    follow_visits(input);
     input->held = draw(INPUT_BUTTON_ALL + 1u);
     input->coin_count[0] = draw(3);
     input->store_well = draw(100) != 0;
@@ -171,7 +171,7 @@ static void stir(struct input *input)
                              : draw(4) == 0 ? output.entry_id
                                             : input->record_saved_id;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        stir_hand(&input->poi[i], &hands[i]);
+        move_hand(&input->poi[i], &hands[i]);
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         if (draw(60) == 0) {
@@ -295,7 +295,7 @@ static uint64_t play(const struct core_config *config, uint32_t ticks)
     memset(loose_ticks, 0, sizeof loose_ticks);
     assert_int_equal(core_init(&core, &begin), CORE_OK);
     for (uint32_t tick = 0; tick < ticks; tick++) {
-        stir(&input);
+        randomize(&input);
         const struct input now = core_input(&input);
         core_tick(&core, &now, &output);
         output.sound_count = 0;

@@ -107,7 +107,7 @@ static void test_the_thermal_thread_reads_the_sensor_and_stops_immediately(void 
     zone(0, "temp", "30000\n");
     thermal.root = root;
     thermal_start(&thermal);
-    for (uint32_t i = 0; i < 500 && atomic_load(&thermal.looks) == 0; i++) {
+    for (uint32_t i = 0; i < 500 && atomic_load(&thermal.measured_count) == 0; i++) {
         usleep(10000);
     }
     assert_int_equal(atomic_load(&thermal.margin_mdeg), 50000);
@@ -127,12 +127,12 @@ static void test_a_clock_set_back_does_not_delay_the_temperature(void **state)
     zone(0, "temp", "30000\n");
     thermal.root = root;
     thermal_start(&thermal);
-    for (uint32_t i = 0; i < 1000 && atomic_load(&thermal.looks) < 2u; i++) {
+    for (uint32_t i = 0; i < 1000 && atomic_load(&thermal.measured_count) < 2u; i++) {
         usleep(10000);
     }
     thermal_stop(&thermal);
     calendar_is_ahead_s = 0;
-    assert_true(atomic_load(&thermal.looks) >= 2u);
+    assert_true(atomic_load(&thermal.measured_count) >= 2u);
 }
 
 #define TEST(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)

@@ -26,7 +26,7 @@ static inline void bot_stall_open(struct bot_stall *stall, const struct core_con
     stall->bot.hand.pose = (struct poi_target){ .position_m = v3(0.0f, 0.10f, 0.0f) };
     /* Places the target pose of the bot 10 cm above the water over the middle of the tank, and the
      * poi 5 cm below this pose. */
-    stall->core.game.control[0].hand_pose = stall->bot.hand.pose;
+    stall->core.game.control[0].target_pose = stall->bot.hand.pose;
     stall->core.world.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
 }
 

@@ -25,7 +25,7 @@ has_begun() { # Returns 0 if the kiosk has begun or has ended.
     grep -q 'watchdog_host: ready' $log.err || ! kill -0 $kiosk
 }
 
-tell_logs() {
+print_logs() {
     sed 's/^/0 # /' $log.out $log.err >>$talk
 }
 
@@ -57,7 +57,7 @@ jam
 meter_begin
 kiosk_start kingyo 120 --mode festival --grade 4 --coins 2 --fish 40 --seed 3 --record $play
 found $? screen "$(sed -n 's/.*display *//p' $host/out/kingyo.out | head -1), first picture $(now_ms) ms after power on"
-tell_logs
+print_logs
 is_kingyo "$(pidof kingyo)"
 found $? user "kingyo, in $(groups_of "$(pidof kingyo)")"
 await 20 is_held START && await 20 is_held COIN
@@ -172,6 +172,6 @@ found $status end "exit code $status"
 is_dark LOCKOUT
 found $? lockout 'open in attract mode; closed without a poi, with an open door or without a kiosk'
 kill $meter
-tell_logs
+print_logs
 poi_stop
 dmesg >$host/out/dmesg

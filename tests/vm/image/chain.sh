@@ -17,7 +17,7 @@ seed=$((${SEED:-1} * 100 + job)) limit_s=${VM_SECONDS:-600} coins_max=${COINS:-2
 # Time from the check of the disk to the first coin. Replaced by the measured time.
 start_ms=${START_MS:-20000}
 processors=${PROCESSORS:-2}
-failures=0 kill=0 starts_hit=0 rounds_hit=0 refunds=0 reported_all=0 looks=0
+failures=0 kill=0 starts_hit=0 rounds_hit=0 refunds=0 reported_all=0 checks=0
 RANDOM=$seed
 
 leave() {
@@ -85,7 +85,7 @@ start_once() {
 check_start() {
     found='lost its power before the check' refunded=0 reported_count=0
     if check_disk_ledger; then
-        looks=$((looks + 1))
+        checks=$((checks + 1))
         found="found entries up to $found_to"
         [ "$found_open" = 0 ] || { found+=', a round was open'; rounds_hit=$((rounds_hit + 1)); }
     fi
@@ -101,7 +101,7 @@ when() {
     if [ "$loading" = 1 ]; then echo "at coin $fallen"; else echo 'during the start'; fi
 }
 
-tell() {
+print_progress() {
     printf '       kill %s.%d, %s: %d more entries acknowledged; %s. %d.%d s, this start %s\n' "$job" "$kill" "$(when)" \
         "$reported_count" "$lost" $((lived_ms / 1000)) $((lived_ms / 100 % 10)) "$found"
 }
@@ -117,7 +117,7 @@ for ((kill = 1; kill <= kills + 1; kill++)); do
     [ "$failures" -eq 0 ] || break
     if [ "$kill" -le "$kills" ]; then
         [ "$loading" = 1 ] || starts_hit=$((starts_hit + 1))
-        tell
+        print_progress
     else
         printf '       the last start of %s %s, and opened\n' "$job" "$found"
     fi
@@ -127,7 +127,7 @@ done
 # coins; writes flushed, kept, torn, lost; failures.
 made=$((kill - 1 < kills ? kill - 1 : kills))
 coins=$(awk '$4 == 2 { sum += $6 } END { print sum + 0 }' "$cache/sure.txt")
-awk -v counts="$made $looks $starts_hit $rounds_hit $refunds $reported_all $coins" -v failures="$failures" \
+awk -v counts="$made $checks $starts_hit $rounds_hit $refunds $reported_all $coins" -v failures="$failures" \
     '{ for (i = 1; i <= 5; i++) sum[i] += $i } END { print counts, sum[1] + 0, sum[3] + 0, sum[4] + 0, sum[5] + 0, failures }' \
     "$cache/writes.txt" >"$cache/sums"
 [ "$failures" -eq 0 ]

@@ -1,27 +1,27 @@
 #!/bin/bash
 # test-image.sh -- boots the unchanged disk of `make image BOARD=vm`, drives the kiosk from outside
 # and checks the results.
-# PARTS ("round screen strangers ends") selects the parts. Checks of other parts are printed as not
+# PARTS ("round screen hostile ends") selects the parts. Checks of other parts are printed as not
 # run. Logs and pictures are in BUILD/vm/image. Exit code 0 if every line of checks.txt passed,
 # otherwise 1.
 # shellcheck disable=SC2154,SC1091,SC2034  # the sourced files set and use these variables
 export BUILD=${BUILD:-build}
 . "$(dirname "$0")/disk.sh" image
 limit_s=${VM_SECONDS:-900}
-look_pid=''
+writer_pid=''
 
 leave() {
     guest_stop
-    [ -z "$look_pid" ] || kill "$look_pid" 2>/dev/null || true
+    [ -z "$writer_pid" ] || kill "$writer_pid" 2>/dev/null || true
 }
 trap leave EXIT
 trap 'exit 130' INT
 trap 'exit 143' TERM HUP
 
 follow() { # RECORDING
-    [ -z "$look_pid" ] || kill "$look_pid" 2>/dev/null || true
+    [ -z "$writer_pid" ] || kill "$writer_pid" 2>/dev/null || true
     "$BUILD/tests/vm/state_writer" "$share/out/$1" "$share/seen" &
-    look_pid=$!
+    writer_pid=$!
 }
 
 # Types the keys of an attacker: a coin and the menu of a desktop kiosk, quit, another console, a
@@ -72,7 +72,7 @@ check_logs() {
     passes off "qemu ended with $qemu_status" -- [ "$qemu_status" -eq 0 ]
 }
 
-parts=${PARTS-round screen strangers ends} checks=$run/checks.txt
+parts=${PARTS-round screen hostile ends} checks=$run/checks.txt
 for part in $parts; do
     grep -q "^[^#][^ ]*  *$part " "$here/image/checks.txt" || {
         echo "test-image: there is no part '$part'" >&2

@@ -36,7 +36,7 @@ uint32_t lab_key_colour(uint32_t key_count, uint32_t key)
 
 bool lab_is_pointed(const struct ui_frame *frame, enum lab_part part)
 {
-    return frame->scene->lab.has_hand && frame->scene->lab.points == part;
+    return frame->scene->lab.has_pointer && frame->scene->lab.points == part;
 }
 
 /* ---- Buttons -------------------------------------------------------------------------------- */
@@ -201,7 +201,7 @@ void ui_lab(const struct ui_frame *frame)
     draw_lab_sign(&canvas, draw_lab_tag(&canvas, LAB_NEXT, false, false), TEXT_SIGN_ON);
     help_line(&canvas);
     draw_lab_buttons(&canvas);
-    if (lab->has_hand) {
+    if (lab->has_pointer) {
         const float x = canvas.x + lab->x * u, y = canvas.y + lab->y * u;
         const float radius = (lab->presses ? 12.0f : 16.0f) * u;
         ui_glow(&canvas, ui_around(x, y, 2.2f * radius), lab->presses ? 0xff9a50a0u : 0xffffff38u);

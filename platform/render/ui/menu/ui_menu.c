@@ -36,7 +36,7 @@ struct ui_box menu_tag_board(const struct ui_frame *frame, uint32_t tag)
     const struct scene_menu *const menu = &frame->scene->menu;
     const bool is_pointed = menu->tag == tag;
     struct ui_box box = menu_tag_place(frame, tag);
-    if (is_pointed && menu->has_hand && menu->presses) {
+    if (is_pointed && menu->has_pointer && menu->presses) {
         box.y += 3.0f * frame->unit;
     }
     ui_wooden_tag(frame, box, is_pointed);
@@ -158,7 +158,7 @@ void ui_menu(const struct ui_frame *frame)
         menu_note(&canvas, canvas_box(60, 684, 1160, 32), canvas_box(27, 1366, 800, 34),
                   ui_body(&canvas, 22.0f, MENU_NOTE), ui_words(&canvas, keys));
     }
-    if (menu->has_hand) {
+    if (menu->has_pointer) {
         ui_poi_sign(&canvas, canvas.x + menu->x * canvas.unit, canvas.y + menu->y * canvas.unit,
                     (menu->presses ? 15.0f : 20.0f) * canvas.unit, 1.0f, ui_player_colours[0]);
     }

@@ -239,7 +239,7 @@ static void draw_motion_demo(const struct ui_frame *frame, struct ui_box box, ui
     const bool is_trial = step == LEARN_TRY || step == LEARN_NOT_SAVED;
     float paper = step == LEARN_FAILED ? 0.15f : 1.0f, radius = 46.0f * u;
     /* In the trial, the poi in the picture follows the controller whose axes were learned. */
-    if (is_trial && menu->has_hand) {
+    if (is_trial && menu->has_pointer) {
         x = menu->x / canvas.x;
         y = menu->y / canvas.y;
         radius *= menu->presses ? 0.75f : 1.0f;

@@ -90,7 +90,7 @@ static int build_board(void **state)
     return 0;
 }
 
-static int raze_board(void **state)
+static int remove_board(void **state)
 {
     (void)state;
     char command[128];
@@ -276,16 +276,17 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_sensors_are_found_by_name_and_scaled_to_their_units,
-                                        build_board, raze_board),
+                                        build_board, remove_board),
         cmocka_unit_test_setup_teardown(test_a_quaternion_is_read_in_the_order_of_its_driver,
-                                        build_board, raze_board),
-        cmocka_unit_test_setup_teardown(test_each_missing_sensor_is_named, build_board, raze_board),
+                                        build_board, remove_board),
+        cmocka_unit_test_setup_teardown(test_each_missing_sensor_is_named, build_board,
+                                        remove_board),
         cmocka_unit_test_setup_teardown(test_the_position_is_lost_while_the_converter_fails,
-                                        build_board, raze_board),
+                                        build_board, remove_board),
         cmocka_unit_test_setup_teardown(test_gpio_keys_are_read_as_levels_and_other_devices_ignored,
-                                        build_board, raze_board),
+                                        build_board, remove_board),
         cmocka_unit_test_setup_teardown(test_the_motor_follows_its_level_and_stops_at_zero,
-                                        build_board, raze_board),
+                                        build_board, remove_board),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -148,7 +148,7 @@ static void test_the_tilt_hint_stays_until_the_player_tilts(void **state)
     learn(HINT_DIP);
     core.game.player[0].caught = 1;
     assert_int_equal(hint_after(300), HINT_TILT);
-    core.game.control[0].hand_pose.angles.pitch_rad = -0.3f;
+    core.game.control[0].target_pose.angles.pitch_rad = -0.3f;
     assert_int_equal(hint_after(300), HINT_NONE);
 }
 

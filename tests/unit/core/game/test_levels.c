@@ -86,12 +86,12 @@ static float step_in_water_m(uint8_t level)
         input.poi[0].target.position_m.y = f_max(BELOW_M, ABOVE_M - 0.001f * (float)i);
         tick();
     }
-    const vec3 from_m = core.game.control[0].hand_pose.position_m;
+    const vec3 from_m = core.game.control[0].target_pose.position_m;
     float most_m = 0.0f, last_m = 0.0f;
     for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
         input.poi[0].target.position_m.x = f_min(0.05f, 0.01f * (float)i);
         tick();
-        const float way_m = v3_length(v3_sub(core.game.control[0].hand_pose.position_m, from_m));
+        const float way_m = v3_length(v3_sub(core.game.control[0].target_pose.position_m, from_m));
         most_m = f_max(most_m, way_m - last_m);
         last_m = way_m;
     }

@@ -132,7 +132,7 @@ static void test_a_moved_poi_selects_the_tag_below_it(void **state)
         lead(0, above_tag(tag));
         assert_int_equal(look()->pointed_tags, 1u << tag);
         assert_int_equal(scene.choice, mode_tags[tag].mode);
-        assert_true(scene.player[0].has_hand);
+        assert_true(scene.player[0].has_pointer);
         assert_true(
             pointer_is_inside(mode_tag_box(false, scene.tags, tag), 0.0f,
                               (struct layout_point){ scene.player[0].x, scene.player[0].y }));

@@ -63,7 +63,7 @@ static void open_stall(uint8_t mode, uint32_t players, uint32_t seed)
     memset(&input, 0, sizeof input);
     for (uint32_t i = 0; i < players; i++) {
         bot_init(&bots[i], i % 2u ? &technique_novice : &technique_expert, 4u * seed + i);
-        bots[i].hand.pose = core.game.control[i].hand_pose;
+        bots[i].hand.pose = core.game.control[i].target_pose;
     }
 }
 

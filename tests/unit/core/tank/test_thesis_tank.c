@@ -247,7 +247,7 @@ static void test_3_6_six_hundred_fish_keep_their_depths(void **state)
 
 /* ---- A full tank -------------------------------------------------------------------------- */
 
-struct bustle {
+struct activity {
     /* Mean speed of the fish with each gait, as a fraction of the mean speed that a single fish
      * has. */
     float pace[GAIT_COUNT];
@@ -266,7 +266,7 @@ struct bustle_sums {
     float last_turn[TANK_FISH_MAX];
 };
 
-static void watch(struct bustle_sums *sums, struct bustle *bustle, uint32_t tick)
+static void watch(struct bustle_sums *sums, struct activity *activity, uint32_t tick)
 {
     struct perception around = { .params = tank_behavior_params(&tank),
                                  .size_m = tank.size_m,
@@ -282,7 +282,7 @@ static void watch(struct bustle_sums *sums, struct bustle *bustle, uint32_t tick
         sums->speed[fish->gait] += f_sqrt(v.x * v.x + v.z * v.z);
         sums->alone[fish->gait] += gait_speed_m_s(fish, &around);
         const float turn = fish->yaw_rate_rad_s;
-        bustle->yaw_rate_max_rad_s = f_max(bustle->yaw_rate_max_rad_s, f_abs(turn));
+        activity->yaw_rate_max_rad_s = f_max(activity->yaw_rate_max_rad_s, f_abs(turn));
         if (f_abs(turn) > 30.0f * F_DEG) {
             sums->reversals += sums->last_turn[i] * turn < 0.0f;
             sums->last_turn[i] = turn;
@@ -295,48 +295,48 @@ static void watch(struct bustle_sums *sums, struct bustle *bustle, uint32_t tick
 }
 
 /* Runs a tank for half a minute and measures its last 20 s. */
-static struct bustle bustle_of(uint8_t preset, uint32_t fish_count)
+static struct activity activity_of(uint8_t preset, uint32_t fish_count)
 {
     static struct bustle_sums sums;
-    struct bustle bustle = { 0 };
+    struct activity activity = { 0 };
     sums = (struct bustle_sums){ 0 };
     open_tank(&tank, preset, fish_count, 2013);
     for (uint32_t tick = 0; tick < 30u * CORE_TICK_HZ; tick++) {
         tank_tick(&tank, tick, NULL, 0);
         if (tick >= 10u * CORE_TICK_HZ) {
-            watch(&sums, &bustle, tick);
+            watch(&sums, &activity, tick);
         }
     }
     for (uint32_t gait = GAIT_REST; gait <= GAIT_BURST; gait++) {
-        bustle.pace[gait] = sums.speed[gait] / f_max(sums.alone[gait], 1e-6f);
+        activity.pace[gait] = sums.speed[gait] / f_max(sums.alone[gait], 1e-6f);
     }
     const float band_m = 1.5f * (preset == TANK_PRESET_OFFICIAL ? 0.04f : 0.05f);
-    bustle.reversals_per_s = (float)sums.reversals / (20.0f * (float)fish_count);
-    bustle.at_walls = sums.walls / sums.fish_ticks;
-    bustle.at_walls_if_even = 1.0f - (tank.size_m.x - band_m) * (tank.size_m.z - band_m) /
-                                         (tank.size_m.x * tank.size_m.z);
+    activity.reversals_per_s = (float)sums.reversals / (20.0f * (float)fish_count);
+    activity.at_walls = sums.walls / sums.fish_ticks;
+    activity.at_walls_if_even = 1.0f - (tank.size_m.x - band_m) * (tank.size_m.z - band_m) /
+                                           (tank.size_m.x * tank.size_m.z);
     print_message("%s, %u fish: swimmers keep %.2f of their pace, bursts %.2f; %.2f reversals a "
                   "fish and second, %.0f degrees/s at most; %.3f at walls (%.3f if even)\n",
-                  tank_preset(preset)->name, fish_count, (double)bustle.pace[GAIT_SWIM],
-                  (double)bustle.pace[GAIT_BURST], (double)bustle.reversals_per_s,
-                  (double)(bustle.yaw_rate_max_rad_s / F_DEG), (double)bustle.at_walls,
-                  (double)bustle.at_walls_if_even);
-    return bustle;
+                  tank_preset(preset)->name, fish_count, (double)activity.pace[GAIT_SWIM],
+                  (double)activity.pace[GAIT_BURST], (double)activity.reversals_per_s,
+                  (double)(activity.yaw_rate_max_rad_s / F_DEG), (double)activity.at_walls,
+                  (double)activity.at_walls_if_even);
+    return activity;
 }
 
 static void check_bustle(uint8_t preset, uint32_t fish_count)
 {
-    const struct bustle bustle = bustle_of(preset, fish_count);
+    const struct activity activity = activity_of(preset, fish_count);
     /* A fish without neighbours has the pace 1. With a pace above 0.5, the fish do not block each
      * other. */
-    assert_true(bustle.pace[GAIT_SWIM] > 0.5f);
-    assert_true(bustle.pace[GAIT_BURST] > 0.5f);
+    assert_true(activity.pace[GAIT_SWIM] > 0.5f);
+    assert_true(activity.pace[GAIT_BURST] > 0.5f);
     /* With at most one reversal per second, the fish do not tremble. */
-    assert_true(bustle.reversals_per_s < 1.0f);
-    assert_true(bustle.yaw_rate_max_rad_s < 721.0f * F_DEG);
+    assert_true(activity.reversals_per_s < 1.0f);
+    assert_true(activity.yaw_rate_max_rad_s < 721.0f * F_DEG);
     /* The share of fish near the walls must be less than 1.5 times the expected share, because fish
      * must not crowd there. */
-    assert_true(bustle.at_walls < 1.5f * bustle.at_walls_if_even);
+    assert_true(activity.at_walls < 1.5f * activity.at_walls_if_even);
 }
 
 static void test_4_1_six_hundred_fish_keep_moving_naturally(void **state)

@@ -71,15 +71,15 @@ static int controller_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)rig.report_count;
 }
 
-static int hand_feel(void *self, const struct poi_force *force)
+static int fake_set_force(void *self, const struct poi_force *force)
 {
     (void)self;
     (void)force;
     return HAL_OK;
 }
 
-static void hand_look(void *self, const struct view *view,
-                      const struct display_settings *display_settings, bool scoops)
+static void fake_set_view(void *self, const struct view *view,
+                          const struct display_settings *display_settings, bool scoops)
 {
     (void)self;
     assert_memory_equal(view, &rig.kiosk.view, sizeof *view);
@@ -88,7 +88,7 @@ static void hand_look(void *self, const struct view *view,
     rig.view_count++;
 }
 
-static const char *hand_describe(void *self)
+static const char *fake_describe(void *self)
 {
     (void)self;
     return "a hand";
@@ -100,9 +100,9 @@ static int set_up(void **state)
     static const struct hal_poi_ops hand = {
         .open = controller_open,
         .poll = controller_poll,
-        .set_force = hand_feel,
-        .set_view = hand_look,
-        .describe = hand_describe,
+        .set_force = fake_set_force,
+        .set_view = fake_set_view,
+        .describe = fake_describe,
     };
     static const struct kiosk_config config = { .core = {
                                                     .seed = 5, .fish_count = 8, .round_s = 10 } };

@@ -280,7 +280,7 @@ static void test_offline_credits_are_kept_until_the_card_is_writable(void **stat
     sqlite3_close(other);
     enum kiosk_end how = KIOSK_RUNS;
     for (uint32_t i = 0; i < 300u && how == KIOSK_RUNS; i++) {
-        rig.storage.look_due_ms = 0; /* Makes the next retry of the store due at once. */
+        rig.storage.retry_due_ms = 0; /* Makes the next retry of the store due at once. */
         how = frames(1);
     }
     assert_int_equal(how, KIOSK_RESTART);

@@ -75,7 +75,7 @@ static int pulse_switch(void *self, enum hal_switch which, uint32_t count)
     return HAL_OK;
 }
 
-static void say_stick(void)
+static void send_stick(void)
 {
     wire_put(&rig.wire, -1, USAGE_X, wire_share(&rig.wire, -1, USAGE_X, rig.x));
     wire_put(&rig.wire, -1, USAGE_Y, wire_share(&rig.wire, -1, USAGE_Y, rig.z));
@@ -86,7 +86,7 @@ static void frames(uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         rig.clock.now_ns += FRAME_NS;
-        say_stick();
+        send_stick();
         assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_RUNS);
     }
 }

@@ -33,7 +33,7 @@ static struct sdl_player {
     struct mouse_poi pointer;
     struct hal hal;
     struct kiosk kiosk;
-    void (*say)(void); /* Function that sends the SDL events of the device, which move the ring
+    void (*send)(void); /* Function that sends the SDL events of the device, which move the ring
                           towards `over_m`. */
     vec3 over_m;
     uint8_t dips;
@@ -54,7 +54,7 @@ static vec3 ring_m(void)
 static void frame(void)
 {
     player.clock.now_ns += FRAME_NS;
-    player.say();
+    player.send();
     SDL_PumpEvents();
     kiosk_frame(&player.kiosk, &player.hal);
     assert_false(controller_is_lost(&player.kiosk.core.world, 0));
@@ -82,7 +82,7 @@ static Sint16 push_of(float way_m)
     return (Sint16)((push > 0.0f ? 4900.0f : push < 0.0f ? -4900.0f : 0.0f) + push * 27800.0f);
 }
 
-static void say_pad(void)
+static void send_pad(void)
 {
     const vec3 way = v3_sub(player.over_m, ring_m());
     SDL_JoystickSetVirtualAxis(joystick(), SDL_CONTROLLER_AXIS_LEFTX, push_of(way.x));
@@ -111,7 +111,7 @@ static void push_finger(uint32_t type, SDL_FingerID id, float x, float y)
 
 /* Slides the finger towards the screen position of the target. Under water the finger moves at half
  * the speed. */
-static void say_fingers(void)
+static void send_fingers(void)
 {
     float x;
     float y;
@@ -235,7 +235,7 @@ static void click_mouse(void)
     push_button(SDL_MOUSEBUTTONUP);
 }
 
-static void say_nothing(void)
+static void send_nothing(void)
 {
 }
 
@@ -275,7 +275,7 @@ static float start_to_dip_s(uint32_t tag, float look_s)
 /* ---- A whole game --------------------------------------------------------------------------- */
 
 /* Moves the mouse towards the screen position of the target. The left button dips the ring. */
-static void say_mouse(void)
+static void send_mouse(void)
 {
     float x, y;
     const float pace = player.dips ? 4.5f : 9.0f;
@@ -310,7 +310,7 @@ static void open_mouse(void)
     mouse_poi_init(&player.pointer, player.hal.clock, stall_view(), WIDTH, HEIGHT,
                    POINTER_FILTER_MOUSE);
     player.hal.poi[0] = mouse_poi_devices(&player.pointer).poi;
-    player.say = say_nothing;
+    player.send = send_nothing;
 }
 
 static int begin(void **state)
@@ -346,7 +346,7 @@ static void test_a_gamepad_player_lands_fish(void **state)
     gamepads_poll(&player.gamepads);
     assert_non_null(player.gamepads.pad[0].controller);
     player.hal.poi[0] = gamepad_poi_devices(&player.gamepads, 0).poi;
-    player.say = say_pad;
+    player.send = send_pad;
     assert_true(landed_in(4, 1, "a pad") >= 4);
 }
 
@@ -356,7 +356,7 @@ static void test_a_touch_player_lands_fish(void **state)
     mouse_poi_init(&player.pointer, player.hal.clock, stall_view(), WIDTH, HEIGHT,
                    POINTER_FILTER_TOUCH);
     player.hal.poi[0] = mouse_poi_devices(&player.pointer).poi;
-    player.say = say_fingers;
+    player.send = send_fingers;
     player.x = player.y = 0.5f;
     push_finger(SDL_FINGERDOWN, 1, player.x, player.y);
     assert_true(landed_in(4, 0, "fingers") >= 4);
@@ -382,7 +382,7 @@ static void test_one_mouse_plays_from_start_to_the_album(void **state)
     (void)state;
     open_mouse();
     start_to_dip_s(0, 2.0f);
-    player.say = say_mouse;
+    player.send = send_mouse;
     player.over_m = v3(0.0f, DIP_HOVER_M, 0.0f);
     frames(30);
     while (player.kiosk.core.game.phase == PHASE_ROUND) {

@@ -22,7 +22,7 @@ static bool has_variable = true;
 
 /* Logs a warning while standard error is a file. $JOURNAL_STREAM names the device and the inode of
  * the journal. If `shift` is 0, the variable names this file, so the file counts as the journal. */
-static void say_into_file(int shift, const char *words)
+static void log_into_file(int shift, const char *words)
 {
     char journal[64];
     struct stat about;
@@ -53,7 +53,7 @@ static void say_into_file(int shift, const char *words)
 static void test_a_log_line_to_the_journal_has_a_priority(void **state)
 {
     (void)state;
-    say_into_file(0, "a.conf:3: unknown key");
+    log_into_file(0, "a.conf:3: unknown key");
     assert_string_equal(printed, "<4>kingyo: a.conf:3: unknown key\n");
 }
 
@@ -61,14 +61,14 @@ static void test_a_log_line_to_the_journal_has_a_priority(void **state)
 static void test_a_log_line_to_a_file_has_no_priority(void **state)
 {
     (void)state;
-    say_into_file(1, "a.conf:3: unknown key");
+    log_into_file(1, "a.conf:3: unknown key");
     assert_string_equal(printed, "kingyo: a.conf:3: unknown key\n");
 }
 
 static void test_a_log_line_contains_no_control_character(void **state)
 {
     (void)state;
-    say_into_file(1, "pad '\033[2J\xC2\x9B\xE2\x80\xAE\x9B\nkingyo: forged' is gone");
+    log_into_file(1, "pad '\033[2J\xC2\x9B\xE2\x80\xAE\x9B\nkingyo: forged' is gone");
     assert_string_equal(printed, "kingyo: pad '?[2J????kingyo: forged' is gone\n");
 }
 
@@ -77,7 +77,7 @@ static void test_a_long_log_line_is_truncated_and_terminated(void **state)
     static char words[2u * LOG_LINE_MAX];
     (void)state;
     memset(words, 'x', sizeof words - 1u);
-    say_into_file(0, words);
+    log_into_file(0, words);
     assert_in_range(strlen(printed), LOG_LINE_MAX - 64u, LOG_LINE_MAX - 1u);
     assert_int_equal(printed[strlen(printed) - 1u], '\n');
 }
@@ -86,7 +86,7 @@ static void test_without_the_environment_variable_there_is_no_journal(void **sta
 {
     (void)state;
     has_variable = false;
-    say_into_file(0, "a");
+    log_into_file(0, "a");
     assert_string_equal(printed, "kingyo: a\n");
     has_variable = true;
 }

@@ -357,7 +357,7 @@ static void test_only_connectors_with_a_monitor_are_counted(void **state)
  * therefore checks the connectors again. */
 static int look(struct display_events *events)
 {
-    display.looked_ns -= 2000000000ull;
+    display.connectors_read_ns -= 2000000000ull;
     return device.ops->poll(device.self, events);
 }
 

@@ -248,7 +248,7 @@ static void harm_mask(struct species_slot *s)
 {
     s->tables[1].vertices[3].mask[0] = 254;
 }
-static void harm_rider(struct species_slot *s)
+static void harm_carried(struct species_slot *s)
 {
     s->tables[0].vertices[0].anchor = (uint8_t)s->species.lod[0].anchor_count;
 }
@@ -451,7 +451,7 @@ static const struct harm harms[] = {
     { harm_index, "near/triangle 1: vertex " },
     { harm_flat, "near/triangle 1: two corners are the same vertex" },
     { harm_mask, "far/vertex 3: the sum of the masks is 254" },
-    { harm_rider, "near/vertex 0: anchor " },
+    { harm_carried, "near/vertex 0: anchor " },
     { harm_u, "near/vertex 9: nan is outside" },
     { harm_part, "near/vertex 9: " },
     { harm_grid, "near/grid: 2 rings of 9" },
@@ -516,7 +516,7 @@ static void test_keys_of_a_wrong_size_are_rejected_for_each_measure(void **state
     }
 }
 
-static void mend_crc(size_t size)
+static void repair_crc(size_t size)
 {
     const uint32_t crc = crc32(bytes + HEAD_SIZE, size - HEAD_SIZE);
     memcpy(bytes + HEAD_SIZE - sizeof crc, &crc, sizeof crc);
@@ -531,13 +531,13 @@ static void test_too_large_counts_are_rejected_before_reading(void **state)
     bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 255;
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
     assert_string_equal(why, "crc: the checksum is wrong, so the file is damaged");
-    mend_crc(size);
+    repair_crc(size);
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
     assert_string_equal(why, "keys: more than a species may have");
     /* With fewer key shapes than the file contains, all following data are read at wrong
      * positions. */
     bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 3;
-    mend_crc(size);
+    repair_crc(size);
     assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
 }
 
@@ -551,7 +551,7 @@ static void test_any_body_after_a_valid_header_gives_a_result(void **state)
         const size_t at = HEAD_SIZE + (random >> 4) % (round % 2 ? 700u : size - HEAD_SIZE);
         const uint8_t held = bytes[at];
         bytes[at] = (uint8_t)(random >> 24);
-        mend_crc(size);
+        repair_crc(size);
         why[0] = '\0';
         const enum pack_result result = pack_decode(bytes, size, &other, why);
         assert_true(result == PACK_OK ? why[0] == '\0' : why[0] != '\0' && !strchr(why, '\n'));

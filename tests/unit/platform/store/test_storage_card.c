@@ -50,7 +50,7 @@ static int set_up(void **state)
     snprintf(file, sizeof file, "%s/" STORAGE_FILE, dir);
     tape_begin(&tape, dir, NULL, 0);
     tape_sync_us(0);
-    tape_refuse(0);
+    tape_fail_writes(0);
     storage = (struct storage){ .dir = dir, .without_thread = true };
     device = storage_device(&storage);
     return 0;
@@ -62,7 +62,7 @@ static int tear_down(void **state)
     char command[96];
     is_read_only = false;
     tape_sync_us(0);
-    tape_refuse(0);
+    tape_fail_writes(0);
     device.ledger.ops->close(device.ledger.self);
     tape_end();
     tape_free(&tape);
@@ -130,14 +130,14 @@ static int count_entries(void)
     return count;
 }
 
-static void refuses_and_goes_on(int error, const char *words)
+static void expect_failure_and_recovery(int error, const char *words)
 {
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     keep(1);
     storage_work(&storage);
     assert_int_equal(saved_id(), 1);
     assert_true(is_well());
-    tape_refuse(error);
+    tape_fail_writes(error);
     for (uint32_t id = 2; id <= STORAGE_QUEUE_MAX + 1; id++) {
         assert_int_equal(keep(id), HAL_OK);
     }
@@ -149,7 +149,7 @@ static void refuses_and_goes_on(int error, const char *words)
     }
     assert_non_null(strstr(text(), words));
     assert_int_equal(device.ledger.ops->failed_count(device.ledger.self), 3);
-    tape_refuse(0);
+    tape_fail_writes(0);
     storage_work(&storage);
     assert_int_equal(saved_id(), STORAGE_QUEUE_MAX + 1);
     assert_true(is_well());
@@ -159,19 +159,20 @@ static void refuses_and_goes_on(int error, const char *words)
 static void test_a_full_card_stores_the_queue_when_it_has_room_again(void **state)
 {
     (void)state;
-    refuses_and_goes_on(ENOSPC, "free some space");
+    expect_failure_and_recovery(ENOSPC, "free some space");
 }
 
 static void test_a_failed_card_stores_the_queue_when_it_works_again(void **state)
 {
     (void)state;
-    refuses_and_goes_on(EIO, "64 entries not written: disk I/O error; it is retried each second");
+    expect_failure_and_recovery(
+        EIO, "64 entries not written: disk I/O error; it is retried each second");
 }
 
 static void test_a_read_only_card_stores_the_queue_when_it_is_writable_again(void **state)
 {
     (void)state;
-    refuses_and_goes_on(EROFS, "64 entries not written");
+    expect_failure_and_recovery(EROFS, "64 entries not written");
 }
 
 static void test_no_frame_waits_for_a_slow_card(void **state)
@@ -284,7 +285,7 @@ static void test_a_card_that_is_read_only_at_the_start_is_used_when_writable(voi
     device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .without_thread = true };
     is_read_only = true;
-    tape_refuse(EROFS);
+    tape_fail_writes(EROFS);
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.balance.paid, 1);
@@ -293,7 +294,7 @@ static void test_a_card_that_is_read_only_at_the_start_is_used_when_writable(voi
     assert_false(is_well());
     assert_non_null(strstr(text(), "not written"));
     is_read_only = false;
-    tape_refuse(0);
+    tape_fail_writes(0);
     storage_work(&storage);
     assert_true(is_well());
     assert_int_equal(saved_id(), 2);
@@ -306,14 +307,14 @@ static void test_a_foreign_card_is_not_written(void **state)
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     keep(1);
     storage_work(&storage);
-    tape_refuse(EIO);
+    tape_fail_writes(EIO);
     keep(2);
     storage_work(&storage);
     /* Replaces the database by that of another kiosk, as if the card had been exchanged. */
     snprintf(command, sizeof command, "rm %s*; cp tests/unit/platform/store/files/version-6.db %s",
              file, file);
     assert_int_equal(system(command), 0);
-    tape_refuse(0);
+    tape_fail_writes(0);
     storage_work(&storage);
     assert_false(is_well());
     assert_non_null(strstr(text(), "not the card that it began with"));
@@ -349,10 +350,10 @@ static void leave_five_entries_in_the_log(void)
 
 /* Opens the store on a full card with five entries. The store may report the entries up to `proven`
  * as stored. After that, space is freed, and a new entry must be stored. */
-static void remembers_and_goes_on(uint32_t proven)
+static void expect_writes_resume(uint32_t proven)
 {
     static struct persistent_state memory;
-    tape_refuse(ENOSPC);
+    tape_fail_writes(ENOSPC);
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 5);
@@ -365,8 +366,8 @@ static void remembers_and_goes_on(uint32_t proven)
     storage_work(&storage);
     assert_false(is_well());
     assert_int_equal(saved_id(), proven);
-    tape_refuse(0);
-    storage.look_due_ms = 0; /* Makes the next retry due at once. */
+    tape_fail_writes(0);
+    storage.retry_due_ms = 0; /* Makes the next retry due at once. */
     storage_work(&storage);
     assert_true(is_well());
     assert_int_equal(saved_id(), 6);
@@ -379,7 +380,7 @@ static void test_a_card_that_is_full_at_the_start_is_read_and_later_written(void
     leave_five_entries_in_the_log();
     /* The entries are only in the log. The log may not be completely on the card, and it cannot be
      * written again on a full card. Therefore no entry counts as stored. */
-    remembers_and_goes_on(0);
+    expect_writes_resume(0);
 }
 
 static void test_a_full_card_that_was_closed_cleanly_is_read_and_later_written(void **state)
@@ -392,16 +393,16 @@ static void test_a_full_card_that_was_closed_cleanly_is_read_and_later_written(v
     device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .without_thread = true };
     /* A clean close moves all entries from the log to the database, so all five count as stored. */
-    remembers_and_goes_on(5);
+    expect_writes_resume(5);
 }
 
 static void test_other_programs_can_read_a_full_card(void **state)
 {
     (void)state;
     leave_five_entries_in_the_log();
-    tape_refuse(ENOSPC);
+    tape_fail_writes(ENOSPC);
     device.ledger.ops->open(device.ledger.self);
-    tape_refuse(0);
+    tape_fail_writes(0);
     assert_int_equal(count_entries(), 5);
 }
 
@@ -459,13 +460,13 @@ static void test_an_unusable_file_is_retried_with_increasing_delays(void **state
     for (int64_t wait_ms = STORAGE_RETRY_MS, i = 0; i < 8; i++) {
         storage_work(&storage);
         assert_int_equal(looks(), 1 + i); /* The delay has not passed, so there was no retry. */
-        assert_int_equal(storage.look_wait_ms, wait_ms);
-        storage.look_due_ms -= wait_ms;
+        assert_int_equal(storage.retry_wait_ms, wait_ms);
+        storage.retry_due_ms -= wait_ms;
         storage_work(&storage);
         assert_int_equal(looks(), 2 + i); /* The delay has passed, so there was one retry. */
         wait_ms = 2 * wait_ms < STORAGE_RETRY_MS_MAX ? 2 * wait_ms : STORAGE_RETRY_MS_MAX;
     }
-    assert_int_equal(storage.look_wait_ms, STORAGE_RETRY_MS_MAX);
+    assert_int_equal(storage.retry_wait_ms, STORAGE_RETRY_MS_MAX);
 }
 
 static bool is_beside(const char *suffix)
@@ -493,7 +494,7 @@ static void keep_eight_and_close(void)
 static void is_read_and_left(void)
 {
     static struct persistent_state memory;
-    tape_refuse(ENOSPC);
+    tape_fail_writes(ENOSPC);
     assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 8);
@@ -502,13 +503,13 @@ static void is_read_and_left(void)
     assert_false(is_well());
     assert_int_equal(keep(9), HAL_OK);
     for (int i = 0; i < 4; i++) {
-        storage.look_due_ms = 0;
+        storage.retry_due_ms = 0;
         storage_work(&storage);
         assert_false(is_beside(".damaged-1") || is_beside(".missing-1") || is_beside(".new"));
         assert_false(is_well());
     }
-    tape_refuse(0);
-    storage.look_due_ms = 0;
+    tape_fail_writes(0);
+    storage.retry_due_ms = 0;
     storage_work(&storage);
     assert_true(is_well());
     assert_int_equal(saved_id(), 9);
@@ -556,10 +557,10 @@ static void test_a_changed_file_is_retried_immediately(void **state)
     put_a_later_kingyos_file();
     device.ledger.ops->open(device.ledger.self);
     for (int i = 0; i < 8; i++) {
-        storage.look_due_ms = 0;
+        storage.retry_due_ms = 0;
         storage_work(&storage);
     }
-    assert_int_equal(storage.look_wait_ms, STORAGE_RETRY_MS_MAX);
+    assert_int_equal(storage.retry_wait_ms, STORAGE_RETRY_MS_MAX);
     put_away(); /* An empty card is inserted in place of the unusable file. */
     storage_work(&storage);
     assert_true(is_well());
@@ -637,7 +638,7 @@ static void test_a_replay_is_written_only_after_its_round(void **state)
     (void)state;
     uint8_t found[64];
     device.ledger.ops->open(device.ledger.self);
-    tape_refuse(ENOSPC);
+    tape_fail_writes(ENOSPC);
     play_round(1, 5);
     assert_int_equal(device.replays.ops->store(device.replays.self, 1, replay, sizeof replay),
                      HAL_OK);
@@ -646,7 +647,7 @@ static void test_a_replay_is_written_only_after_its_round(void **state)
         assert_int_equal(saved_id(), 0);
         assert_int_equal(device.replays.ops->stored_id(device.replays.self), 0);
     }
-    tape_refuse(0);
+    tape_fail_writes(0);
     storage_work(&storage);
     assert_int_equal(saved_id(), 1);
     assert_int_equal(device.replays.ops->stored_id(device.replays.self), 1);
@@ -659,7 +660,7 @@ static void test_a_replay_rejected_by_the_card_is_dropped_after_its_timeout(void
     device.ledger.ops->open(device.ledger.self);
     play_round(1, 5);
     storage_work(&storage);
-    tape_refuse(ENOSPC);
+    tape_fail_writes(ENOSPC);
     device.replays.ops->store(device.replays.self, 1, replay, sizeof replay);
     storage_work(&storage);
     storage_work(&storage);
@@ -670,7 +671,7 @@ static void test_a_replay_rejected_by_the_card_is_dropped_after_its_timeout(void
     storage.put_since_ms -= STORAGE_REPLAY_MS;
     storage_work(&storage);
     assert_int_equal(device.replays.ops->stored_id(device.replays.self), 1);
-    tape_refuse(0);
+    tape_fail_writes(0);
     assert_int_equal(device.replays.ops->store(device.replays.self, 1, replay, sizeof replay),
                      HAL_OK);
 }

@@ -33,7 +33,7 @@ static int last_id_of(const char *path)
 
 /* Opens a database with fewer entries than its backup. Asserts that this database is quarantined
  * and that its backup replaces it. */
-static void goes_on_from_the_backup(struct fixture *fixture)
+static void continues_from_backup(struct fixture *fixture)
 {
     char backup[160], aside[160];
     open_without_thread(fixture);
@@ -51,7 +51,7 @@ static void test_an_empty_file_with_a_backup_is_damage(void **state)
     struct fixture *fixture = *state;
     fill_and_remove_mirror(fixture);
     assert_int_equal(truncate(fixture->file, 0), 0);
-    goes_on_from_the_backup(fixture);
+    continues_from_backup(fixture);
 }
 
 static void test_a_file_with_fewer_entries_than_its_backup_is_damage(void **state)
@@ -59,7 +59,7 @@ static void test_a_file_with_fewer_entries_than_its_backup_is_damage(void **stat
     struct fixture *fixture = *state;
     fill_and_remove_mirror(fixture);
     do_sql(fixture, "DELETE FROM entries WHERE id > 3");
-    goes_on_from_the_backup(fixture);
+    continues_from_backup(fixture);
 }
 
 /* An operator makes a copy with `kingyoctl backup`. Later the operator restores the copy by

@@ -136,7 +136,7 @@ static void fill_and_close(void)
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
 }
 
-static void goes_on_after(const char *name, void (*put)(const char *))
+static void continues_after(const char *name, void (*put)(const char *))
 {
     static struct persistent_state memory;
     char aside[64];
@@ -168,7 +168,7 @@ static void test_a_non_regular_file_beside_the_database_is_quarantined(void **st
                                          STORAGE_FILE "-shm", STORAGE_FILE "-journal" };
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         for (size_t k = 0; k < KIND_COUNT; k++) {
-            goes_on_after(names[i], kinds[k]);
+            continues_after(names[i], kinds[k]);
         }
     }
 }

@@ -19,21 +19,21 @@ poi_plug_in() {
     await 20 test -e /dev/hidg0
 }
 
-asked() { # PROPERTY: Prints a property of the kiosk's unit.
+unit_property() { # PROPERTY: Prints a property of the kiosk's unit.
     systemctl show -P "$1" kingyo.service
 }
 
 is_open() { # Returns 0 if the kiosk runs. READY=1 is sent after its first picture.
-    [ "$(asked ActiveState)" = active ] && [ "$(asked MainPID)" != 0 ]
+    [ "$(unit_property ActiveState)" = active ] && [ "$(unit_property MainPID)" != 0 ]
 }
 
 opened_ms() { # Prints the time from power on until the kiosk opened.
-    echo $(($(asked ActiveEnterTimestampMonotonic) / 1000))
+    echo $(($(unit_property ActiveEnterTimestampMonotonic) / 1000))
 }
 
 # A restarted kiosk writes another recording. The host must follow the new recording.
 follow() {
-    say "recording play-$(asked MainPID).kgr"
+    say "recording play-$(unit_property MainPID).kgr"
     rm -f $host/seen
     await 60 test -s $host/seen
 }

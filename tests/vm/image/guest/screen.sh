@@ -12,7 +12,7 @@ log_contains() { # Searches the log after its first $before lines.
 }
 
 before=$(words_of_the_stall | wc -l)
-pid=$(asked MainPID)
+pid=$(unit_property MainPID)
 coins=$(read_count coins)
 await 60 is_lit LOCKOUT
 echo off >"$socket" # The kernel reports this state for a disconnected screen.
@@ -22,7 +22,7 @@ out=$?
 gone=$(($(now_ms) - pulled))
 coins 2 >/dev/null
 await 30 reads coins -eq $((coins + 2))
-[ $? -eq 0 ] && [ $out -eq 0 ] && [ "$(asked MainPID)" = "$pid" ]
+[ $? -eq 0 ] && [ $out -eq 0 ] && [ "$(unit_property MainPID)" = "$pid" ]
 found $? screen-out "noticed after $gone ms; $(($(read_count coins) - coins)) of 2 coins counted meanwhile"
 echo detect >"$socket"
 plugged=$(now_ms)
@@ -31,7 +31,7 @@ back=$?
 took=$(($(now_ms) - plugged))
 ticks=$(read_count ticks)
 await 60 reads ticks -gt $((ticks + 60))
-[ $? -eq 0 ] && [ $back -eq 0 ] && [ "$(asked MainPID)" = "$pid" ]
+[ $? -eq 0 ] && [ $back -eq 0 ] && [ "$(unit_property MainPID)" = "$pid" ]
 found $? screen-in "picture $took ms after the plug, in the same process"
 await 90 reads phase -eq 0 # The result of the last round covers the tank until attract mode begins.
 shot again

@@ -10,7 +10,7 @@ opens_again() { # STARTS WHEN_MS SECONDS
 }
 
 restarted() { # STARTS: Returns 0 if the unit was restarted more often than STARTS.
-    [ "$(asked NRestarts)" -gt "$1" ]
+    [ "$(unit_property NRestarts)" -gt "$1" ]
 }
 
 writable() { # Prints the writable mount points of the disk.
@@ -31,7 +31,7 @@ part() { # NAME
 
 say "booted $(uname -rm), systemd $(systemctl --version | sed -n '1s/systemd \([0-9]*\).*/\1/p')"
 await 900 is_open
-found $? opens "$(opened_ms) ms after power on, of which systemd took $(($(asked InactiveExitTimestampMonotonic) / 1000)) to start it"
+found $? opens "$(opened_ms) ms after power on, of which systemd took $(($(unit_property InactiveExitTimestampMonotonic) / 1000)) to start it"
 follow
 shot attract
 keep_shaders
@@ -43,8 +43,8 @@ systemd-analyze security --no-pager kingyo.service >$host/out/security 2>&1
 exposure=$(sed -n 's/.*Overall exposure level for kingyo.service: \([0-9.]*\).*/\1/p' $host/out/security)
 [ -n "$exposure" ] && awk "BEGIN { exit !($exposure <= 1.5) }"
 found $? exposure "$exposure"
-is_kingyo "$(asked MainPID)"
-found $? user "kingyo, in $(groups_of "$(asked MainPID)")"
+is_kingyo "$(unit_property MainPID)"
+found $? user "kingyo, in $(groups_of "$(unit_property MainPID)")"
 poi_hold
 for name in $(cat $host/parts); do
     part "$name"

@@ -50,7 +50,7 @@ static void drop_each(uint32_t coins)
 }
 
 /* Simulates that the store works again and has saved all entries. */
-static void revive_store(void)
+static void repair_store(void)
 {
     store_is_late = 0;
     input.record_saved_id = output.entry_id;
@@ -84,7 +84,7 @@ static void test_a_ring_that_fills_during_the_mode_selection_permits_a_retry(voi
     assert_true(core.game.accounts.credit.request_tick != 0 ||
                 core.game.accounts.credit.await_tick != 0);
     assert_true(sounds[SOUND_FOUL] > fouls || core.game.accounts.credit.await_tick != 0);
-    revive_store();
+    repair_store();
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_READY);
     assert_int_equal(core.game.accounts.ledger.balance.open, PAYMENT_PAID);
@@ -187,7 +187,7 @@ static void test_a_store_that_appears_late_is_used_after_any_number_of_coins(voi
      * coins that were inserted while the ring buffer was full. */
     assert_true(output.entry_id > before_id);
     assert_int_equal(balance_entry(&output, output.entry_id)->balance.paid, COINS_FOR_A_FULL_RING);
-    revive_store();
+    repair_store();
     assert_int_equal(output.coin_lockout, 0);
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid,
                      COINS_FOR_A_FULL_RING);

@@ -70,9 +70,9 @@ static const struct member core_parts[] = {
 };
 
 static const struct member player_parts[] = {
-    MEMBER(player, plays), MEMBER(player, out),       MEMBER(player, fouls),
-    MEMBER(player, foul),  MEMBER(player, foul_tick), MEMBER(player, caught),
-    MEMBER(player, level), MEMBER(player, has_hand),  MEMBER(player, hand),
+    MEMBER(player, plays), MEMBER(player, out),         MEMBER(player, fouls),
+    MEMBER(player, foul),  MEMBER(player, foul_tick),   MEMBER(player, caught),
+    MEMBER(player, level), MEMBER(player, has_pointer), MEMBER(player, pointer),
 };
 
 static const struct member fish_parts[] = {
@@ -183,7 +183,7 @@ static void bare_of(struct core *core, const struct core *from)
  * must be compared member by member instead. */
 #define SAME_SCENE(field) (memcmp(&scene.field, &other_scene.field, sizeof scene.field) == 0)
 
-static int bowls_and_fans_look_the_same(void)
+static int bowls_and_fans_are_equal(void)
 {
     int same = 1;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -199,20 +199,20 @@ static int bowls_and_fans_look_the_same(void)
     return same;
 }
 
-static int players_look_the_same(void)
+static int players_are_equal(void)
 {
     int same = 1;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         same = same && SAME_SCENE(player[i].plays) && SAME_SCENE(player[i].lost) &&
                SAME_SCENE(player[i].fouls) && SAME_SCENE(player[i].foul) &&
                SAME_SCENE(player[i].foul_s) && SAME_SCENE(player[i].out) &&
-               SAME_SCENE(player[i].level) && SAME_SCENE(player[i].has_hand) &&
+               SAME_SCENE(player[i].level) && SAME_SCENE(player[i].has_pointer) &&
                SAME_SCENE(player[i].x) && SAME_SCENE(player[i].y);
     }
     return same;
 }
 
-static int games_look_the_same(void)
+static int games_are_equal(void)
 {
     return SAME_SCENE(phase) && SAME_SCENE(language) && SAME_SCENE(hint) && SAME_SCENE(phase_s) &&
            SAME_SCENE(seconds_left) && SAME_SCENE(caught) && SAME_SCENE(best_today) &&
@@ -222,7 +222,7 @@ static int games_look_the_same(void)
            SAME_SCENE(offer);
 }
 
-static int look_the_same(const struct core *core, const struct core *other)
+static int scenes_are_equal(const struct core *core, const struct core *other)
 {
     memset(&scene, 0, sizeof scene);
     memset(&other_scene, 0, sizeof other_scene);
@@ -231,8 +231,8 @@ static int look_the_same(const struct core *core, const struct core *other)
     return SAME_SCENE(tick) && SAME_SCENE(view) && SAME_SCENE(tank_size_m) &&
            SAME_SCENE(wall_height_m) && SAME_SCENE(fish_count) && SAME_SCENE(fish) &&
            SAME_SCENE(poi) && SAME_SCENE(slope) && SAME_SCENE(pump.present) &&
-           SAME_SCENE(pump.runs) && bowls_and_fans_look_the_same() && players_look_the_same() &&
-           games_look_the_same();
+           SAME_SCENE(pump.runs) && bowls_and_fans_are_equal() && players_are_equal() &&
+           games_are_equal();
 }
 
 static void test_a_reduced_state_gives_the_same_scene(void **state)
@@ -243,7 +243,7 @@ static void test_a_reduced_state_gives_the_same_scene(void **state)
         bot_stall_tick(&stall);
         if (i % 50u == 0) {
             bare_of(&bare, &stall.core);
-            assert_true(look_the_same(&stall.core, &bare));
+            assert_true(scenes_are_equal(&stall.core, &bare));
         }
     }
 }
@@ -266,7 +266,7 @@ static void change(void *of, const struct member *part)
 static int shows(void *of, const struct member *part)
 {
     change(of, part);
-    const int shown = !look_the_same(&stall.core, &bare);
+    const int shown = !scenes_are_equal(&stall.core, &bare);
     change(of, part);
     return shown;
 }
@@ -298,7 +298,7 @@ static void test_every_kept_member_of_a_reduced_state_changes_the_scene(void **s
     for (size_t i = 0; i < sizeof phases; i++) {
         stall.core.game.phase = phases[i];
         bare_of(&bare, &stall.core);
-        assert_true(look_the_same(&stall.core, &bare));
+        assert_true(scenes_are_equal(&stall.core, &bare));
         EACH_SHOWS(&bare, core_parts, &core);
         EACH_SHOWS(&bare.game.player[0], player_parts, &player);
         EACH_SHOWS(&bare.world.tank.fish[3], fish_parts, &fish);

@@ -40,10 +40,10 @@ static void test_a_new_controller_moves_the_poi_without_a_jump(void **state)
     input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(0.20f, 0.08f, 0.10f);
     press(INPUT_START);
-    vec3 last = core.game.control[0].hand_pose.position_m;
+    vec3 last = core.game.control[0].target_pose.position_m;
     for (uint32_t i = 0; i < 160; i++) {
         step();
-        const vec3 now = core.game.control[0].hand_pose.position_m;
+        const vec3 now = core.game.control[0].target_pose.position_m;
         /* The speed limit is 1.4 m/s, which is 12 mm per tick. */
         assert_true(v3_length(v3_sub(now, last)) < 0.012f);
         last = now;
@@ -59,15 +59,15 @@ static void test_no_poi_enters_the_water_before_the_round(void **state)
     dip();
     for (uint32_t i = 0; i < GAME_READY_TICKS - 1u; i++) {
         step();
-        assert_true(core.game.control[0].hand_pose.position_m.y > 0.0f || i < 60u);
+        assert_true(core.game.control[0].target_pose.position_m.y > 0.0f || i < 60u);
     }
     step();
-    float last_m = core.game.control[0].hand_pose.position_m.y;
+    float last_m = core.game.control[0].target_pose.position_m.y;
     /* In each tick, the poi's target must sink by less than 4 mm. */
     for (uint32_t i = 0; i < 150u; i++) {
         step();
-        assert_true(last_m - core.game.control[0].hand_pose.position_m.y < 0.004f);
-        last_m = core.game.control[0].hand_pose.position_m.y;
+        assert_true(last_m - core.game.control[0].target_pose.position_m.y < 0.004f);
+        last_m = core.game.control[0].target_pose.position_m.y;
     }
     assert_float_equal(last_m, BELOW_M, 0.0f);
 }
@@ -78,7 +78,7 @@ static void test_a_pose_beyond_the_reach_is_limited(void **state)
     play_into_round();
     input.poi[0].target.position_m = v3(90.0f, -90.0f, -90.0f);
     steps(400);
-    const vec3 hand = core.game.control[0].hand_pose.position_m;
+    const vec3 hand = core.game.control[0].target_pose.position_m;
     assert_true(hand.x < core.world.tank.size_m.x);
     assert_float_equal(hand.y, -core.world.tank.size_m.y, 0.0f);
     assert_true(hand.z > -core.world.tank.size_m.z);
@@ -96,7 +96,7 @@ static void test_any_pose_is_limited_to_the_reach(void **state)
         for (uint32_t tick = 0; tick < 400; tick++) {
             core_tick(&core, &input, &output);
         }
-        const struct angles hand = core.game.control[0].hand_pose.angles;
+        const struct angles hand = core.game.control[0].target_pose.angles;
         assert_true(f_abs(hand.yaw_rad) < 3.15f);
         assert_true(f_abs(hand.pitch_rad) < 3.15f);
         assert_true(f_abs(hand.roll_rad) < 3.15f);
@@ -104,8 +104,8 @@ static void test_any_pose_is_limited_to_the_reach(void **state)
     }
     input.poi[0].target = (struct poi_target){ .angles = { -F_TAU, F_TAU + 0.5f, 0.0f } };
     steps(400);
-    assert_float_equal(core.game.control[0].hand_pose.angles.yaw_rad, 0.0f, 1e-5f);
-    assert_float_equal(core.game.control[0].hand_pose.angles.pitch_rad, 0.5f, 1e-5f);
+    assert_float_equal(core.game.control[0].target_pose.angles.yaw_rad, 0.0f, 1e-5f);
+    assert_float_equal(core.game.control[0].target_pose.angles.pitch_rad, 0.5f, 1e-5f);
 }
 
 static void test_a_pose_turns_the_short_way_round(void **state)
@@ -113,13 +113,13 @@ static void test_a_pose_turns_the_short_way_round(void **state)
     (void)state;
     input.poi[0].target.angles.yaw_rad = -3.1f;
     play_into_round();
-    core.game.control[0].hand_pose.angles.yaw_rad = 3.1f;
+    core.game.control[0].target_pose.angles.yaw_rad = 3.1f;
     core.game.control[0].grip_tick = core.game.tick;
     for (uint32_t i = 0; i < 160; i++) {
         step();
-        assert_true(f_abs(core.game.control[0].hand_pose.angles.yaw_rad) > 3.0f);
+        assert_true(f_abs(core.game.control[0].target_pose.angles.yaw_rad) > 3.0f);
     }
-    assert_float_equal(core.game.control[0].hand_pose.angles.yaw_rad, -3.1f, 1e-5f);
+    assert_float_equal(core.game.control[0].target_pose.angles.yaw_rad, -3.1f, 1e-5f);
 }
 
 static void test_only_a_poi_with_a_bowl_is_present(void **state)

@@ -130,7 +130,7 @@ static void test_pois_are_parked_before_the_start_and_after_the_end(void **state
 
 /* ---- Pois of players who are out ------------------------------------------------------------ */
 
-static void expect_put_away(uint32_t index, uint32_t players)
+static void expect_parked(uint32_t index, uint32_t players)
 {
     const struct shade_cast *cast = &core.world.tank.shade[SHADE_MAX + index].cast;
     assert_true(look()->player[index].out);
@@ -150,13 +150,13 @@ static void test_a_poi_without_paper_is_parked_and_the_others_play(void **state)
     ticks(60);
     assert_true(apart_m(core.world.poi[0].position_m, v3(0.1f, 0.0f, 0.1f)) < 0.03f);
     ticks(3u * CORE_TICK_HZ);
-    expect_put_away(0, 2);
+    expect_parked(0, 2);
     assert_false(look()->player[1].out);
     assert_true(apart_m(core.world.poi[1].position_m, v3(-0.1f, 0.0f, 0.1f)) < 0.01f);
     /* The parked poi must ignore its player's input. */
     input.poi[0].target.position_m = v3(-0.1f, BELOW_M, -0.1f);
     ticks(200);
-    expect_put_away(0, 2);
+    expect_parked(0, 2);
 }
 
 /* Starts a game with two players. The poi of the first player then lifts a fish. */
@@ -185,7 +185,7 @@ static void test_carried_fish_are_released_after_the_third_foul(void **state)
     /* The game sets `out` when a player commits the third foul. The test sets `out` directly. */
     core.game.player[0].out = 1;
     ticks(4u * CORE_TICK_HZ);
-    expect_put_away(0, 2);
+    expect_parked(0, 2);
     assert_int_equal(core.world.poi[0].carried_count, 0);
     assert_int_not_equal(core.world.tank.fish[0].gait, GAIT_HELD);
 }
@@ -209,7 +209,7 @@ static void test_a_slap_ends_when_its_fish_is_released(void **state)
     }
     assert_true(slapped);
     assert_int_equal(core.world.poi[0].slap_count, 0);
-    expect_put_away(0, 2);
+    expect_parked(0, 2);
 }
 
 static void test_a_poi_lost_for_too_long_is_parked(void **state)
@@ -221,7 +221,7 @@ static void test_a_poi_lost_for_too_long_is_parked(void **state)
         tick();
     }
     ticks(5u * CORE_TICK_HZ);
-    expect_put_away(0, 2);
+    expect_parked(0, 2);
     assert_false(core.game.paused);
 }
 
@@ -237,7 +237,7 @@ static void test_a_poi_parks_and_returns_without_a_jump(void **state)
         assert_true(v3_length(v3_sub(core.world.poi[0].position_m, last_m)) < 0.010f);
         last_m = core.world.poi[0].position_m;
     }
-    expect_put_away(0, 2);
+    expect_parked(0, 2);
     tear_all(1);
     wait_for_phase(PHASE_RESULT, 600u);
     ticks(GAME_AGAIN_TICKS + 10u);

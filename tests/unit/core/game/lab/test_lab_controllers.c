@@ -91,12 +91,12 @@ static void test_a_lost_controller_releases_its_part(void **state)
     input.poi[0].link = POI_SOURCE_LOST;
     tick();
     assert_int_equal(core.game.lab.holds, HOLD_NOTHING);
-    assert_int_equal(look()->lab.has_hand, 0);
+    assert_int_equal(look()->lab.has_pointer, 0);
     hover(middle_of(LAB_STAGE));
     /* A pose with NaN must count as an absent controller. */
     input.poi[0].target.position_m.x = 0.0f / 0.0f;
     tick();
-    assert_int_equal(look()->lab.has_hand, 0);
+    assert_int_equal(look()->lab.has_pointer, 0);
 }
 
 /* While one controller holds a part, no other controller may get the part. The other controller
@@ -118,8 +118,8 @@ static void test_a_held_part_never_jumps_to_another_controller(void **state)
     for (uint32_t i = 0; i < 2; i++) {
         input.poi[0].link = i == 0 ? POI_SOURCE_LOST : POI_SOURCE_LIVE;
         ticks(3);
-        assert_int_equal(look()->lab.has_hand, 1);
-        assert_int_equal(core.game.lab.hand, 1u - i);
+        assert_int_equal(look()->lab.has_pointer, 1);
+        assert_int_equal(core.game.lab.pointer_player, 1u - i);
         assert_int_equal(core.game.lab.holds, HOLD_BUTTON);
         assert_memory_equal(&core.game.lab.edit, &before, sizeof before);
     }

@@ -180,7 +180,7 @@ static struct settings settings_cut_after(const struct settings *before, uint32_
 
 /* Simulates a power cut before the first entry, between any two entries, and after the last entry.
  * The stored calibration must be the old one, the new one or none, but never a mixture. */
-static void expect_no_patchwork(const struct settings *before, uint32_t before_id)
+static void expect_no_mixture(const struct settings *before, uint32_t before_id)
 {
     const struct settings now = stall.core.config.persistent.settings;
     const uint32_t count = stall.output.entry_id - before_id;
@@ -219,7 +219,7 @@ static void test_an_incomplete_calibration_after_a_power_cut_is_not_used(void **
     lead_through((struct poi_target){ 0 });
     hold_true(aside, CORE_TICK_HZ);
     /* Cuts the power during the first calibration of the poi. */
-    expect_no_patchwork(&before, before_id);
+    expect_no_mixture(&before, before_id);
 
     before = stall.core.config.persistent.settings;
     before_id = stall.output.entry_id;
@@ -227,14 +227,14 @@ static void test_an_incomplete_calibration_after_a_power_cut_is_not_used(void **
     lead_through((struct poi_target){ .position_m.y = 0.01f, .angles = { 0.0f, 0.1f, 0.05f } });
     hold_true(aside, CORE_TICK_HZ);
     /* Cuts the power during a second calibration, which replaces the first one. */
-    expect_no_patchwork(&before, before_id);
+    expect_no_mixture(&before, before_id);
 
     before = stall.core.config.persistent.settings;
     before_id = stall.output.entry_id;
     take(CALIBRATE_NONE);
     hold_true(aside, CORE_TICK_HZ);
     /* Cuts the power during the removal of the calibration. */
-    expect_no_patchwork(&before, before_id);
+    expect_no_mixture(&before, before_id);
 }
 
 /* After a power cut, the page must show that the calibration is incomplete and let the operator

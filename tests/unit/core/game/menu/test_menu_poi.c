@@ -127,7 +127,7 @@ static void test_a_moving_controller_without_a_bowl_selects_tags(void **state)
     input.poi[2] = input.poi[0];
     input.poi[0] = mine;
     steps(2);
-    assert_int_equal(menu()->hand, 2);
+    assert_int_equal(menu()->pointer_player, 2);
     assert_int_equal(pointed(), leave());
     input.poi[2].target.position_m.y = BELOW_M;
     steps(MENU_TAKE_TICKS);

@@ -188,7 +188,7 @@ static uint8_t rides(uint32_t fish)
            fixture.tank.fish[fish].holder != FISH_HOLDER_WATER;
 }
 
-static void crowd_the_paper(uint32_t seed)
+static void fill_paper(uint32_t seed)
 {
     fixture_init(&fixture, 4, seed);
     fixture_dip(&fixture);
@@ -216,7 +216,7 @@ static void test_fish_for_which_the_paper_has_no_room_do_not_pass_through_it(voi
     for (uint32_t i = 0; i < 5; i++) {
         int8_t side[POI_CARRIED_MAX + 8u] = { 0 };
         uint32_t most = 0;
-        crowd_the_paper(i);
+        fill_paper(i);
         for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ / 2u; tick++) {
             vec3 *const hand_m = &fixture.hand.position_m;
             hand_m->y = f_min(hand_m->y + lifts_m_s[i] * CORE_TICK_S, 0.06f);
@@ -242,7 +242,7 @@ static void test_fish_for_which_the_paper_has_no_room_do_not_pass_through_it(voi
 static void test_more_fish_than_the_poi_can_carry_spill_over_the_ring(void **state)
 {
     (void)state;
-    crowd_the_paper(1);
+    fill_paper(1);
     fixture_move(&fixture, v3(0.0f, 0.06f, 0.0f), 0.15f);
     fixture_wait(&fixture, 0.5f);
     assert_true(fixture.poi.carried_count <= POI_CARRIED_MAX);
@@ -280,7 +280,7 @@ static float out_of_walls_m(const struct fish *fish)
                  f_abs(fish->position_m.z) + extent.z - 0.5f * fixture.tank.size_m.z);
 }
 
-static void sweep_and_look(vec3 to_m, float speed_m_s)
+static void sweep_and_check(vec3 to_m, float speed_m_s)
 {
     const vec3 from = fixture.hand.position_m, way = v3_sub(to_m, from);
     const uint32_t ticks = (uint32_t)(v3_length(way) / speed_m_s * (float)CORE_TICK_HZ) + 60u;
@@ -311,11 +311,11 @@ static void test_a_poi_that_sweeps_along_walls_pushes_no_fish_through_them(void 
                                  FISH_M);
             fixture.tank.fish[fish].angles.yaw_rad = 0.7f * (float)k;
         }
-        sweep_and_look(v3(0.45f, -0.07f, 0.0f), 0.3f);
-        sweep_and_look(v3(0.45f, -0.07f, -0.30f), 0.4f);
-        sweep_and_look(v3(0.30f, -0.03f, 0.30f), 0.6f);
-        sweep_and_look(v3(0.50f, -0.06f, 0.30f), 0.3f);
-        sweep_and_look(v3(0.50f, 0.04f, 0.20f), 0.15f);
+        sweep_and_check(v3(0.45f, -0.07f, 0.0f), 0.3f);
+        sweep_and_check(v3(0.45f, -0.07f, -0.30f), 0.4f);
+        sweep_and_check(v3(0.30f, -0.03f, 0.30f), 0.6f);
+        sweep_and_check(v3(0.50f, -0.06f, 0.30f), 0.3f);
+        sweep_and_check(v3(0.50f, 0.04f, 0.20f), 0.15f);
     }
 }
 

@@ -38,8 +38,8 @@ static struct obstacle rushing(float beside_m)
 
 /* Returns the number of updates of a fish in `ticks` ticks. Writes the total time that the updates
  * cover to `covered_s`. */
-static uint32_t thoughts(struct fish *fish, uint32_t index, uint32_t ticks,
-                         const struct obstacle *poi, float *covered_s)
+static uint32_t count_updates(struct fish *fish, uint32_t index, uint32_t ticks,
+                              const struct obstacle *poi, float *covered_s)
 {
     uint32_t count = 0;
     *covered_s = 0.0f;
@@ -76,7 +76,7 @@ static void test_behavior_updates_cover_the_whole_time(void **state)
     for (uint32_t index = 0; index < 4; index++) {
         struct fish fish = calm();
         float covered_s = 0.0f;
-        assert_int_equal(thoughts(&fish, index, 1200, NULL, &covered_s), 300);
+        assert_int_equal(count_updates(&fish, index, 1200, NULL, &covered_s), 300);
         /* The tolerance allows for an update that is up to four ticks after the 10 s. */
         assert_float_equal(covered_s, 10.0f, 4.5f * CORE_TICK_S);
     }
@@ -88,9 +88,9 @@ static void test_a_fish_beside_a_fast_poi_updates_in_every_tick(void **state)
     const struct obstacle near = rushing(0.08f), far = rushing(0.30f);
     struct fish fish = calm();
     float covered_s = 0.0f;
-    assert_int_equal(thoughts(&fish, 1, 120, &near, &covered_s), 120);
+    assert_int_equal(count_updates(&fish, 1, 120, &near, &covered_s), 120);
     assert_float_equal(covered_s, 1.0f, 0.01f);
-    assert_int_equal(thoughts(&fish, 1, 120, &far, &covered_s), 30);
+    assert_int_equal(count_updates(&fish, 1, 120, &far, &covered_s), 30);
 }
 
 static void test_a_fleeing_falling_or_gulping_fish_updates_in_every_tick(void **state)
@@ -99,15 +99,15 @@ static void test_a_fleeing_falling_or_gulping_fish_updates_in_every_tick(void **
     float covered_s = 0.0f;
     struct fish fish = calm();
     fish.gait = GAIT_ESCAPE;
-    assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
+    assert_int_equal(count_updates(&fish, 2, 40, NULL, &covered_s), 40);
     fish = calm();
     fish.falls = 1;
-    assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
+    assert_int_equal(count_updates(&fish, 2, 40, NULL, &covered_s), 40);
     fish = calm();
     /* The fish is 1 cm wide, and its centre is only 4 mm below the surface. It therefore touches
      * the surface, and must be updated in every tick. */
     fish.position_m.y = -0.004f;
-    assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
+    assert_int_equal(count_updates(&fish, 2, 40, NULL, &covered_s), 40);
 }
 
 static void test_a_released_fish_does_not_repeat_skipped_updates(void **state)

@@ -94,11 +94,11 @@ static void test_a_pair_is_counted_again_only_after_it_separated(void **state)
     /* The centres are moved to a distance of 8 cm. Fish count as separated from 7 cm on, so the
      * encounter ends after half a second. */
     tank->fish[0].position_m.z += 0.02f;
-    for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u - TANK_MEETINGS_LOOK_TICKS; tick++) {
+    for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u - TANK_MEETINGS_SAMPLE_TICKS; tick++) {
         assert_int_equal(meetings.open_count, 1);
         tank_meetings_update(&meetings, tank, 1);
     }
-    for (uint32_t tick = 0; tick < 2u * TANK_MEETINGS_LOOK_TICKS; tick++) {
+    for (uint32_t tick = 0; tick < 2u * TANK_MEETINGS_SAMPLE_TICKS; tick++) {
         tank_meetings_update(&meetings, tank, 1);
     }
     assert_int_equal(meetings.open_count, 0);

@@ -70,7 +70,7 @@ static uint32_t tick(uint32_t pressed)
     input.record_saved_id = output.entry_id;
     input.poi[0] = (struct poi_input){ .link = POI_SOURCE_LIVE,
                                        .has_wrist = 1,
-                                       .target = bots.game.control[0].hand_pose };
+                                       .target = bots.game.control[0].target_pose };
     input.poi[0].link = hand_is_away ? POI_SOURCE_ABSENT : POI_SOURCE_LIVE;
     const uint32_t before = output.entry_id;
     core_tick(&core, &input, &output);
@@ -170,7 +170,7 @@ static void sweep_all(void)
     assert_int_equal(sweep.stage, PIN_SWEEP_DONE);
 }
 
-static enum replay_verdict verdict_of(uint32_t round_id)
+static enum replay_verdict verification_of(uint32_t round_id)
 {
     struct ledger_entry kept;
     ledger_file_round(&file, round_id, &kept);
@@ -230,13 +230,13 @@ static void test_removing_the_pin_keeps_an_old_replay_genuine(void **state)
 {
     (void)state;
     const uint32_t round_id = keep_as_before();
-    assert_int_equal(verdict_of(round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(round_id), REPLAY_VERDICT_GENUINE);
     const uint32_t ticks = verifier.replayer.totals.ticks;
     const struct round_record round = verifier.round.round;
     sweep_all();
     assert_int_equal(sweep.cleaned, 1);
     assert_int_equal(sweep.left, 0);
-    assert_int_equal(verdict_of(round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(round_id), REPLAY_VERDICT_GENUINE);
     assert_int_equal(verifier.replayer.totals.ticks, ticks);
     assert_memory_equal(&verifier.round.round, &round, sizeof round);
     const struct core_config *config = &verifier.replayer.reader.header.config;
@@ -324,7 +324,7 @@ static void test_a_replay_that_differs_is_deleted(void **state)
     }
     assert_int_equal(replay_finish(&writer, reader.totals.hash), 0);
     put(round_id, found, (size_t)writer.offset + REPLAY_END_SIZE);
-    assert_int_equal(verdict_of(round_id), REPLAY_VERDICT_OTHER);
+    assert_int_equal(verification_of(round_id), REPLAY_VERDICT_OTHER);
     assert_sweep_deletes(round_id);
 }
 
@@ -379,7 +379,7 @@ static void test_a_replay_in_which_a_pin_is_typed_is_deleted(void **state)
     (void)state;
     types_pin = true;
     const uint32_t round_id = keep_as_before();
-    assert_int_equal(verdict_of(round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(round_id), REPLAY_VERDICT_GENUINE);
     assert_sweep_deletes(round_id);
 }
 
@@ -415,8 +415,8 @@ static void test_a_replay_of_another_score_is_cleared_and_still_reported(void **
     sweep_all();
     assert_int_equal(sweep.cleaned, 2);
     assert_int_equal(sweep.deleted + sweep.left, 0);
-    assert_int_equal(verdict_of(round_id), REPLAY_VERDICT_GENUINE);
-    assert_int_equal(verdict_of(round_id + 1u), REPLAY_VERDICT_OTHER);
+    assert_int_equal(verification_of(round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(round_id + 1u), REPLAY_VERDICT_OTHER);
     assert_int_equal(verifier.replayer.reader.header.config.persistent.settings.value[SET_PIN],
                      PIN_WITHHELD);
     assert_false(verifier.replayer.difference.found);
@@ -433,7 +433,7 @@ static void test_a_replay_of_format_7_is_simulated_and_stored_in_the_current_for
     sweep_all();
     assert_int_equal(sweep.cleaned, 1);
     assert_int_equal(sweep.deleted + sweep.left, 0);
-    verdict_of(1);
+    verification_of(1);
     assert_false(verifier.replayer.difference.found);
     assert_int_equal(verifier.replayer.totals.ticks, 17455);
     assert_int_equal(verifier.replayer.reader.header.version, REPLAY_VERSION);
@@ -499,7 +499,7 @@ static void test_a_replay_stays_until_the_next_start_if_the_core_refuses_to_run(
     assert_int_equal(sweep.left, 1);
     assert_int_equal(sweep.cleaned + sweep.deleted, 0);
     assert_non_null(strstr(logged, " 1 could not be examined"));
-    assert_int_equal(verdict_of(round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(round_id), REPLAY_VERDICT_GENUINE);
     refuses_core = false;
     sweep_all();
     assert_int_equal(sweep.cleaned, 1);
@@ -526,12 +526,12 @@ static void test_a_replay_without_a_pin_is_skipped(void **state)
     (void)state;
     const uint32_t round_id = keep_as_before();
     sweep_all();
-    assert_int_equal(verdict_of(round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(round_id), REPLAY_VERDICT_GENUINE);
     memcpy(replay, found, found_size);
     const size_t size = found_size;
     sweep_all();
     assert_int_equal(sweep.cleaned + sweep.left, 0);
-    verdict_of(round_id);
+    verification_of(round_id);
     assert_int_equal(found_size, size);
     assert_memory_equal(found, replay, size);
 }
@@ -554,7 +554,7 @@ static void test_the_store_removes_pins_only_while_its_queue_is_empty(void **sta
     assert_int_equal(sweep.cleaned, 1);
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
-    assert_int_equal(verdict_of(round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(round_id), REPLAY_VERDICT_GENUINE);
     assert_int_equal(verifier.replayer.reader.header.config.persistent.settings.value[SET_PIN],
                      PIN_WITHHELD);
 }

@@ -43,7 +43,7 @@ static void tick(uint32_t pressed)
     input.record_saved_id = storage.ledger.ops->committed_id(storage.ledger.self);
     input.poi[0] = (struct poi_input){ .link = POI_SOURCE_LIVE,
                                        .has_wrist = 1,
-                                       .target = bots.game.control[0].hand_pose };
+                                       .target = bots.game.control[0].target_pose };
     input.poi[0].link = hand_is_away ? POI_SOURCE_ABSENT : POI_SOURCE_LIVE;
     const uint32_t before = output.entry_id;
     core_tick(&core, &input, &output);
@@ -125,7 +125,7 @@ static enum replay_verdict stored_verdict(uint32_t round_id)
     return replay_verifier_result(&verifier, &core.game.accounts.ranking, round_id, &dropped);
 }
 
-static enum replay_verdict verdict_of(const uint8_t *bytes, size_t size, uint32_t round_id)
+static enum replay_verdict verification_of(const uint8_t *bytes, size_t size, uint32_t round_id)
 {
     if (replay_verifier_begin(&verifier, bytes, size) == 0) {
         while (replay_verifier_tick(&verifier)) {
@@ -140,9 +140,9 @@ static void test_a_ranked_round_has_a_replay_that_verifies(void **state)
     const uint32_t round_id = play();
     assert_int_equal(sim.replay_id, round_id);
     assert_int_equal(sessions.missed, 0);
-    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     assert_int_equal(verifier.round.round.caught, sim.record.caught);
-    assert_int_equal(verdict_of(room, sim.replay_size, round_id + 1u), REPLAY_VERDICT_OTHER);
+    assert_int_equal(verification_of(room, sim.replay_size, round_id + 1u), REPLAY_VERDICT_OTHER);
 }
 
 /* Returns the settings that the replay contains in its initial state. */
@@ -171,11 +171,11 @@ static void test_a_stored_replay_contains_no_pin_and_verifies(void **state)
     const int32_t kept = core.config.persistent.settings.value[SET_PIN];
     const uint32_t first_id = play();
     assert_int_equal(settings_of(room, sim.replay_size)->value[SET_PIN], PIN_WITHHELD);
-    assert_int_equal(verdict_of(room, sim.replay_size, first_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(room, sim.replay_size, first_id), REPLAY_VERDICT_GENUINE);
     rest(); /* The new session that begins here has the PIN in its initial state. */
     const uint32_t round_id = play();
     assert_int_equal(sim.replay_id, round_id);
-    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     assert_int_equal(core.config.persistent.settings.value[SET_PIN], kept);
     static struct replay_reader reader;
     assert_int_equal(replay_open_in(&reader, room, sim.replay_size), 0);
@@ -211,7 +211,7 @@ static void test_a_replay_after_a_change_of_the_pin_verifies(void **state)
         assert_int_equal(sim.replay_id, round_id);
         const struct settings *start = settings_of(room, sim.replay_size);
         assert_true(start->value[SET_PIN] == 0 || start->value[SET_PIN] == PIN_WITHHELD);
-        assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+        assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     }
 }
 
@@ -325,7 +325,7 @@ static void test_the_replay_verifier_is_independent_of_the_float_mode(void **sta
     (void)state;
     const uint32_t round_id = play();
     fesetround(FE_UPWARD);
-    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     assert_true(float_env_is_standard());
     fesetround(FE_TONEAREST);
 }
@@ -351,10 +351,10 @@ static void test_a_score_is_genuine_only_on_the_board_of_its_level(void **state)
         struct ranking *ranking = &core.game.accounts.ranking;
         struct rank_row *row = &ranking->row[ranking_board(MODE_FESTIVAL, level)][RANK_EVER][0];
         assert_int_equal(row->round_id, round_id);
-        assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+        assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
         assert_int_equal(verifier.round.round.level, level);
         ranking->row[MODE_FESTIVAL][RANK_EVER][0] = *row;
-        assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
+        assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
     }
     level = LEVEL_MASTER;
 }
@@ -366,14 +366,14 @@ static void test_an_edited_score_is_not_genuine(void **state)
     struct rank_row *row = &core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][0];
     assert_int_equal(row->round_id, round_id);
     row->caught++;
-    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
+    assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
     row->caught--;
     row->slot = 1;
-    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
+    assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
     row->slot = 0;
-    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     memset(&core.game.accounts.ranking, 0, sizeof core.game.accounts.ranking);
-    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
+    assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
 }
 
 /* In each step of the loop, one field of the stored round differs from the replayed round. */
@@ -382,7 +382,7 @@ static void test_a_replay_of_a_different_round_is_not_genuine(void **state)
     (void)state;
     const uint32_t round_id = play();
     const struct ledger_entry kept = sim.round;
-    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     for (uint32_t i = 0; i < 13; i++) {
         struct round_record *round = &sim.round.round;
         uint32_t *const words[] = { &sim.round.boot,
@@ -422,7 +422,7 @@ static void test_each_single_mismatch_makes_a_score_not_genuine(void **state)
     const uint32_t round_id = play();
     struct rank_row *row = &core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][0];
     const struct rank_row ranked = *row;
-    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     static struct replay_verifier found;
     found = verifier;
 
@@ -468,11 +468,11 @@ static void test_an_altered_replay_is_reported_as_damaged(void **state)
     const uint32_t round_id = play();
     for (size_t at = 7; at < sim.replay_size; at += sim.replay_size / 20u) {
         room[at] ^= 1u;
-        assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_DAMAGED);
+        assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_DAMAGED);
         room[at] ^= 1u;
     }
-    assert_int_equal(verdict_of(room, sim.replay_size - 1u, round_id), REPLAY_VERDICT_DAMAGED);
-    assert_int_equal(verdict_of(room, 0, round_id), REPLAY_VERDICT_DAMAGED);
+    assert_int_equal(verification_of(room, sim.replay_size - 1u, round_id), REPLAY_VERDICT_DAMAGED);
+    assert_int_equal(verification_of(room, 0, round_id), REPLAY_VERDICT_DAMAGED);
 }
 
 static void test_a_round_of_the_next_session_verifies_alone(void **state)
@@ -483,7 +483,7 @@ static void test_a_round_of_the_next_session_verifies_alone(void **state)
     assert_int_equal(sessions.totals.ticks, 0);
     const uint32_t round_id = play();
     assert_int_equal(sim.replay_id, round_id);
-    assert_int_equal(verdict_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(verification_of(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     assert_in_range(verifier.recorded.ticks, 20u * CORE_TICK_HZ, 40u * CORE_TICK_HZ);
 }
 
@@ -521,13 +521,13 @@ static struct scene scene;
  * that one frame may spend on seeking in a replay. */
 static uint64_t watch_ns;
 
-static uint64_t look_at_watch(void *self)
+static uint64_t expect_watch(void *self)
 {
     (void)self;
     return watch_ns += SCORE_PLAYBACK_SEEK_NS / 3u + 1u;
 }
 
-static const struct hal_clock_ops slow_ops = { .now_ns = look_at_watch };
+static const struct hal_clock_ops slow_ops = { .now_ns = expect_watch };
 static const struct hal_clock no_stopwatch, slow_stopwatch = { .ops = &slow_ops };
 
 static void frame(void)

@@ -434,7 +434,7 @@ static void set_name(uint8_t alphabet, uint8_t key, uint8_t letter_count, int up
     scene.player[0].period = RANK_EVER;
     scene.name = (struct scene_name){ .alphabet = alphabet,
                                       .key = key,
-                                      .has_hand = 1,
+                                      .has_pointer = 1,
                                       .letter_count = letter_count,
                                       .x = 60.0f,
                                       .y = 60.0f,

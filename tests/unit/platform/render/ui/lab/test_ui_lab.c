@@ -75,7 +75,7 @@ static void test_the_lab_fits_every_screen_with_every_species(void **state)
             core.game.lab.path = variant >> 1 & 1u;
             core.game.lab.layer = variant & 4u ? LAB_LAYER_SIZE : 1;
             core.game.language = (uint8_t)(variant % LANGUAGE_COUNT);
-            core.game.lab.has_hand = 1;
+            core.game.lab.has_pointer = 1;
             /* Holds the poi in the middle, because a drawn poi near the edge may extend beyond the
              * screen. */
             core.game.lab.x = core.game.lab.y = 400.0f;

@@ -76,7 +76,7 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
                                  .held = 0x155u,
                                  .test_coins = 9999,
                                  .coin_s = 0.1f,
-                                 .has_hand = 1,
+                                 .has_pointer = 1,
                                  .presses = 1,
                                  .x = 400.0f,
                                  .y = 300.0f };

@@ -1,4 +1,4 @@
-/* test_lost_hand.c -- checks that a controller fault during a scoop pauses the round and does not
+/* test_lost_input.c -- checks that a controller fault during a scoop pauses the round and does not
  * tear the paper.
  *
  * The test combines two devices (a noisy sensor and a pointer), two situations (deep in the water,
@@ -224,7 +224,7 @@ static int report_fault(enum fault fault, uint32_t tick)
 
 /* ---- Permitted effects ---------------------------------------------------------------------- */
 
-static int loses_the_hand(const struct scene_of *of)
+static int loses_input(const struct scene_of *of)
 {
     const int is_away = of->fault == UNPLUG || of->fault == SILENCE || of->fault == NOT_A_NUMBER;
     /* A mouse may jump to any place, so a jump counts as a fault only if the device is a sensor. */
@@ -281,13 +281,13 @@ static void check_fault(const struct scene_of *of)
             /* The number of cells is not compared if the fish's slaps may tear the paper. */
             cells = may_slap(of) ? poi->sheet.paper_cells : cells;
         }
-        assert_true(poi->damage_immune || !loses_the_hand(of) || leads || broken);
+        assert_true(poi->damage_immune || !loses_input(of) || leads || broken);
         assert_int_equal(poi->sheet.paper_cells, cells);
         assert_true(tick < 1200);
     } while (!leads);
     /* The clock of the round must stop in exactly those ticks in which the controller is lost. */
     assert_int_equal(still_ticks, lost_ticks);
-    assert_int_equal(lost_ticks > 0, loses_the_hand(of));
+    assert_int_equal(lost_ticks > 0, loses_input(of));
     /* After the fault TURN, the ring stays tilted by 69 degrees, so the fish may slide off. */
     if (of->fault != TURN) {
         /* The fish that the poi carried before the fault must still be on the paper. No other fish
@@ -509,7 +509,7 @@ static void test_a_lost_poi_leaves_the_water_from_any_position(void **state)
         poi->angles.pitch_rad = -1.2f + 0.6f * (float)(i / 30u);
         poi->angles.roll_rad = 0.4f - 0.2f * (float)(i / 30u);
         poi->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
-        core.game.control[0].hand_pose = (struct poi_target){ poi->position_m, poi->angles };
+        core.game.control[0].target_pose = (struct poi_target){ poi->position_m, poi->angles };
         input.poi[0].link = POI_SOURCE_LOST;
         uint32_t ticks = 0;
         while (poi->immersed > 0.0f || poi->position_m.y < 0.9f * FAILSAFE_HOVER_M) {

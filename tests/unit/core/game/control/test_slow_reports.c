@@ -1,5 +1,5 @@
-/* test_slow_hand.c -- checks that the paper also wears if the controller is slow, late or loosely
- * connected. */
+/* test_slow_reports.c -- checks that the paper also wears if the controller is slow, late or
+ * loosely connected. */
 #include "tests/unit/support/core_fixture.h"
 
 #define SWING_M 0.025f

@@ -1,4 +1,4 @@
-/* test_riders_leave.c -- checks how fish leave a poi. They slide off tilted paper, flop over the
+/* test_carried_falls.c -- checks how fish leave a poi. They slide off tilted paper, flop over the
  * ring, or swim off. */
 #include "tests/unit/support/poi_fixture.h"
 

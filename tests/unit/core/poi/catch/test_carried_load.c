@@ -1,4 +1,4 @@
-/* test_riders_load.c -- checks how carried fish load the paper, and when a fish falls through a
+/* test_carried_load.c -- checks how carried fish load the paper, and when a fish falls through a
  * hole in the paper. */
 #include "core/poi/catch/carried_fish.h"
 #include "tests/unit/support/poi_fixture.h"

@@ -1,6 +1,6 @@
-/* go_on.c -- opens the store after a power cut, continues to play, and checks the ledger entries
+/* resume.c -- opens the store after a power cut, continues to play, and checks the ledger entries
  * that are added. */
-#include "tests/power/go_on.h"
+#include "tests/power/resume.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -131,8 +131,8 @@ static int play(const char *folder, const struct ledger_totals *before, uint32_t
                : refuse(why, "entries were not written");
 }
 
-int go_on(const char *folder, const struct ledger_totals *before, uint32_t last_id,
-          char why[LEDGER_TOTALS_WHY_SIZE])
+int resume_play(const char *folder, const struct ledger_totals *before, uint32_t last_id,
+                char why[LEDGER_TOTALS_WHY_SIZE])
 {
     struct ledger_totals totals = *before;
     struct persistent_state memory;

@@ -1,6 +1,7 @@
-/* book.c -- fuzz target: arbitrary text as a stored controller mapping. The parser must either
- * report the invalid line, or read an entry that does not change when it is written and read again.
- * The entry's file name must not contain a path, so that it cannot lead to another folder. */
+/* mapping_file.c -- fuzz target: arbitrary text as a stored controller mapping. The parser must
+ * either report the invalid line, or read an entry that does not change when it is written and
+ * read again. The entry's file name must not contain a path, so that it cannot lead to another
+ * folder. */
 #include <string.h>
 
 #include "drivers/hid/hid_mapping.h"

@@ -1,5 +1,6 @@
-/* hand.c -- fuzz target: an arbitrary controller, a mapping for this controller, and arbitrary
- * reports. The decoded pose must be finite, and each report must be decoded within a time limit.
+/* pose_decoder.c -- fuzz target: an arbitrary controller, a mapping for this controller, and
+ * arbitrary reports. The decoded pose must be finite, and each report must be decoded within a time
+ * limit.
  *
  * Input: the vendor, the product and the size of the descriptor (two bytes each, low byte first),
  * the descriptor, and a mapping as a line of text. An empty line selects the automatic mapping.

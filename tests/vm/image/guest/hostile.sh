@@ -1,13 +1,13 @@
-# strangers.sh -- a person with a keyboard or a malicious USB device must not affect the kiosk. One
+# hostile.sh -- a person with a keyboard or a malicious USB device must not affect the kiosk. One
 # result for each attack.
 # shellcheck shell=dash disable=SC2154,SC2034,SC1091  # stall.sh sources this file
-usb_gadget=/sys/kernel/config/usb_gadget/stranger
+usb_gadget=/sys/kernel/config/usb_gadget/hostile
 
 # Prints the state of the machine: the kiosk's process, the active console, disks, network cards
 # and serial lines. A gadget's own network card is omitted, because only this test has the other
 # end of the cable in the same machine.
-belongings() {
-    echo "$(asked MainPID) $(cat /sys/class/tty/tty0/active) $(ls /sys/block | tr '\n' ' ')"
+private_state() {
+    echo "$(unit_property MainPID) $(cat /sys/class/tty/tty0/active) $(ls /sys/block | tr '\n' ' ')"
     for net in /sys/class/net/*; do
         case $(readlink -f "$net") in */gadget*) ;; *) echo "${net##*/}" ;; esac
     done
@@ -16,37 +16,37 @@ belongings() {
 
 # Returns 0 if the state is unchanged, and no coin and no press were recorded except ours.
 unmoved() {
-    [ "$(belongings)" = "$before" ] &&
+    [ "$(private_state)" = "$before" ] &&
         reads coins -eq "$coins_before" && reads test -eq "$tests_before" && reads start -eq "$presses_before"
 }
 
-remember() {
-    before=$(belongings)
+save_state() {
+    before=$(private_state)
     coins_before=$(read_count coins)
     tests_before=$(read_count test)
     presses_before=$(read_count start)
 }
 
 # Plugs in a device that the device side of the second cable simulates.
-stranger_begin() { # VENDOR PRODUCT
+device_begin() { # VENDOR PRODUCT
     mkdir -p $usb_gadget/configs/c.1/strings/0x409 $usb_gadget/strings/0x409
     echo "$1" >$usb_gadget/idVendor
     echo "$2" >$usb_gadget/idProduct
-    echo stranger >$usb_gadget/strings/0x409/product
+    echo hostile >$usb_gadget/strings/0x409/product
 }
 
-stranger_has() { # FUNCTION
+device_has() { # FUNCTION
     mkdir -p "$usb_gadget/functions/$1"
     ln -s "$usb_gadget/functions/$1" "$usb_gadget/configs/c.1/"
 }
 
-stranger_in() {
+device_in() {
     echo dummy_udc.1 >$usb_gadget/UDC
     udevadm settle --timeout=10
     sleep 2
 }
 
-stranger_out() {
+device_out() {
     echo '' >$usb_gadget/UDC 2>/dev/null
     for function in "$usb_gadget"/configs/c.1/*.*; do
         [ ! -L "$function" ] || rm "$function"
@@ -56,12 +56,12 @@ stranger_out() {
 }
 
 hid() { # PROTOCOL SUBCLASS LENGTH; the report descriptor comes on standard input
-    mkdir -p $usb_gadget/functions/hid.stranger
-    cat >$usb_gadget/functions/hid.stranger/report_desc
-    echo "$1" >$usb_gadget/functions/hid.stranger/protocol
-    echo "$2" >$usb_gadget/functions/hid.stranger/subclass
-    echo "$3" >$usb_gadget/functions/hid.stranger/report_length
-    stranger_has hid.stranger
+    mkdir -p $usb_gadget/functions/hid.hostile
+    cat >$usb_gadget/functions/hid.hostile/report_desc
+    echo "$1" >$usb_gadget/functions/hid.hostile/protocol
+    echo "$2" >$usb_gadget/functions/hid.hostile/subclass
+    echo "$3" >$usb_gadget/functions/hid.hostile/report_length
+    device_has hid.hostile
 }
 
 keyboard_words() { # The report descriptor of a keyboard (HID 1.11, appendix B.1).
@@ -71,7 +71,7 @@ keyboard_words() { # The report descriptor of a keyboard (HID 1.11, appendix B.1
 
 # Types 5 (a coin of a desktop kiosk), F2 (the operator's menu) and Escape twice (quit) on the
 # simulated device.
-stranger_types() { # DEVICE
+device_types() { # DEVICE
     for key in 042 073 051 051; do
         printf '\000\000\'$key'\000\000\000\000\000' >"$1" &
         sleep 0.3
@@ -81,7 +81,7 @@ stranger_types() { # DEVICE
     kill $! 2>/dev/null
 }
 
-hidg_of_stranger() {
+hidg_of_device() {
     for node in /dev/hidg*; do
         [ "$node" != /dev/hidg0 ] && echo "$node"
     done
@@ -94,52 +94,52 @@ tried() { # ID WORDS
 }
 
 rm -f $host/keys-done
-remember
+save_state
 say 'keys' # The host types on a keyboard that is connected from the start.
 await 60 test -e $host/keys-done
 tried keys "$(cat $host/keys-done)"
 
 for kind in 1:1 0:0; do # A boot keyboard, and a keyboard that does not declare itself as one.
-    stranger_begin 0x046d 0xc31c
+    device_begin 0x046d 0xc31c
     keyboard_words | hid "${kind%:*}" "${kind#*:}" 8
-    stranger_in
-    stranger_types "$(hidg_of_stranger)"
+    device_in
+    device_types "$(hidg_of_device)"
     tried usb-keys "a keyboard with protocol ${kind%:*}: 5, F2, Esc, Esc"
-    stranger_out
+    device_out
 done
 
-stranger_begin 0x0781 0x5581
+device_begin 0x0781 0x5581
 dd if=/dev/zero of=/run/stick bs=1M count=4 2>/dev/null
 mkdir -p $usb_gadget/functions/mass_storage.0
 echo /run/stick >$usb_gadget/functions/mass_storage.0/lun.0/file
-stranger_has mass_storage.0
-stranger_in
+device_has mass_storage.0
+device_in
 tried usb-disk "block devices: $(ls /sys/block | tr '\n' ' ')"
-stranger_out
+device_out
 
 for function in ecm.usb0 acm.0; do
-    stranger_begin 0x0525 0xa4a2
-    stranger_has $function
-    stranger_in
-    tried usb-net "${function%.*}: network cards and serial lines: $(belongings | tail -n +2 | tr '\n' ' ')"
-    stranger_out
+    device_begin 0x0525 0xa4a2
+    device_has $function
+    device_in
+    tried usb-net "${function%.*}: network cards and serial lines: $(private_state | tail -n +2 | tr '\n' ' ')"
+    device_out
 done
 
 # Malformed report descriptors: random bytes, unclosed collections, a field of 2^32 bits, and 4,000
 # random bytes.
 for words in noise endless huge long; do
-    stranger_begin 0x1209 0x0001 # The device has the id of our poi, so that the kiosk itself reads it.
+    device_begin 0x1209 0x0001 # The device has the id of our poi, so that the kiosk itself reads it.
     case $words in
         noise) dd if=/dev/urandom bs=64 count=1 2>/dev/null ;;
         endless) for _ in 1 2 3 4 5 6 7 8 9; do printf '\005\001\011\060\241\001\241\002\241\000'; done ;;
         huge) printf '\005\001\011\004\241\001\011\060\026\000\200\046\377\177\165\377\227\377\377\377\377\201\002\300' ;;
         long) dd if=/dev/urandom bs=4000 count=1 2>/dev/null ;;
     esac | hid 0 0 64
-    stranger_in
-    head -c 64 /dev/urandom >"$(hidg_of_stranger)" 2>/dev/null &
+    device_in
+    head -c 64 /dev/urandom >"$(hidg_of_device)" 2>/dev/null &
     sleep 1
     kill $! 2>/dev/null
     tried usb-lies "$words"
-    stranger_out
+    device_out
 done
 found 0 usb-lies 'random bytes, unclosed collections, a field of 2^32 bits, 4,000 bytes: the kiosk continues'

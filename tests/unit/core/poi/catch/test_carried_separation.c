@@ -1,4 +1,4 @@
-/* test_riders_huddle.c -- checks that several fish on the same paper move apart. */
+/* test_carried_separation.c -- checks that several fish on the same paper move apart. */
 #include "core/poi/catch/carried_fish.h"
 #include "tests/unit/support/poi_fixture.h"
 

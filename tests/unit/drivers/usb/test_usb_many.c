@@ -1,4 +1,4 @@
-/* test_usb_crowd.c -- tests four player slots with more USB devices than slots, and with frequent
+/* test_usb_many.c -- tests four player slots with more USB devices than slots, and with frequent
  * hot-plug events. */
 #include <setjmp.h>
 #include <stdarg.h>
