@@ -73,6 +73,7 @@ FEATURE_LINES = {
     'pictures that are drawn once, or at low resolution (shades, reflections, counter, fan)': 156,
     'shapes of fish that are blended once and kept in a texture, and the strips at the edge of the water': 35,
     'quality steps in the order in which a viewer notices them, the screen scale, and half the frame rate': 68,
+    'a backup of a database that was deleted while it was open, and the links and FIFOs that doctor names': 54,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.
