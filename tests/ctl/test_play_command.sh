@@ -130,6 +130,7 @@ check 'a line without a value is refused' bad_bot ":1: 'wet' has no '='" 'wet\n'
 check 'an empty bot file is refused' bad_bot ': has no key' ''
 check 'a binary bot file is refused' bad_bot ':1: the line has more than 199 characters or contains a zero byte' '\0\01\02'
 check 'an unknown mode is wrong usage' mistake 2 "--mode: 'lab'" --mode lab
+check 'a level of the championship is wrong usage' mistake 2 '--level: a championship has no levels' --mode championship --level easy
 check 'an unknown grade is wrong usage' mistake 2 '--grade' --grade 3
 check '--rounds 0 is wrong usage' mistake 2 '--rounds' --rounds 0
 check 'more fish than the maximum are wrong usage' mistake 2 '1 to ' --fish 2000

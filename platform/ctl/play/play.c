@@ -229,6 +229,9 @@ static enum exit_code play_command_run(int argc, const char *const *argv)
     struct play_options options = { .bot = NULL };
     struct technique technique;
     enum exit_code code = ctl_options(name, &table, 0, &options, argc, argv);
+    if (code == EXIT_OK && options.level != LEVEL_MASTER && !rules_of(options.mode)->has_levels) {
+        return ctl_usage(name, "--level: a %s has no levels", rules_of(options.mode)->name);
+    }
     if (code == EXIT_OK) {
         const struct core_config stall = { 0 };
         const struct tank_preset *preset = tank_preset(table_setup_preset(&stall, options.mode));
