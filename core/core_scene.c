@@ -225,6 +225,32 @@ static void show_tags(const struct core *core, struct scene *scene)
     }
 }
 
+/* Returns the paper grade of the players of the round, or 0 if these players have different grades.
+ * Before the first dip, the players with a poi in use count. Without such a player, returns the
+ * grade of the player who leads the selection. */
+static uint8_t shown_grade(const struct core *core)
+{
+    const struct game *game = &core->game;
+    const uint8_t base = table_setup_grade(&core->config, game->mode);
+    for (uint32_t pass = 0; pass < 2u; pass++) {
+        uint8_t grade = 0;
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            const uint8_t own = rules_grade_at_level(base, game->player[i].level);
+            if (pass == 0 ? !game->player[i].plays : !player_has_poi(&core->world, i)) {
+                continue;
+            }
+            if (grade != 0 && own != grade) {
+                return 0;
+            }
+            grade = own;
+        }
+        if (grade != 0) {
+            return grade;
+        }
+    }
+    return rules_grade_at_level(base, game->player[game_mode_select_lead(&core->world)].level);
+}
+
 static void show_game(const struct core *core, struct scene *scene)
 {
     const struct game *game = &core->game;
@@ -243,8 +269,7 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->level = game_level(game);
     scene->choice = game->lab_chosen ? CHOICE_LAB : game->mode;
     scene->modes = table_setup_modes(&core->config);
-    scene->grade = rules_grade_at_level(table_setup_grade(&core->config, game->mode),
-                                        game->player[game_mode_select_lead(&core->world)].level);
+    scene->grade = shown_grade(core);
     scene->paused = game->paused;
     scene->call = game->call;
     scene->call_s = (float)(core->game.tick - game->call_tick) * CORE_TICK_S;

@@ -333,7 +333,7 @@ struct scene {
         uint16_t round_s; /* Longest duration of a round in seconds. */
         uint8_t grade;    /* Grade of the paper. */
     } offer[MODE_COUNT];  /* Entry for each mode, including modes that cannot be selected. */
-    uint8_t grade;        /* Grade of the round's paper. */
+    uint8_t grade;        /* Grade of the round's paper, or 0 if players have different grades. */
     /* 1 if a controller is lost and the round's clock is stopped, otherwise 0. */
     uint8_t paused;
     uint8_t call; /* enum time_call of the latest announcement. */

@@ -72,6 +72,15 @@ static void draw_album_fish(const struct ui_frame *frame, const struct scene_gro
     ui_specimen(frame->batch, &specimen);
 }
 
+/* Draws the sign of a present: a ribbon across the upper part of the picture, and a bow. */
+static void draw_album_bow(const struct ui_frame *frame, struct ui_box box)
+{
+    const float width = fminf(0.24f * box.width, 0.30f * box.height);
+    const struct ui_box band = { box.x, box.y + 0.24f * width, box.width, 0.16f * width };
+    ui_panel(frame, UI_PANEL, band, 0.0f, 0.02f * width, UI_VERMILION, UI_WASHI_WHITE);
+    ui_bow(frame, box.x + 0.86f * box.width, band.y + 0.5f * band.height, width);
+}
+
 static void draw_album_picture(const struct ui_frame *frame, uint32_t index, struct ui_box box)
 {
     CORE_ASSERT(index < frame->scene->album.fish_count);
@@ -98,6 +107,9 @@ static void draw_album_picture(const struct ui_frame *frame, uint32_t index, str
         ui_ribbon_at(frame, (struct ui_ribbon){ FONT_BODY, fill, 0xfff1ddb0u, 0xfff1ddffu },
                      water.x + 0.5f * water.width, water.y + water.height - 1.15f * size, size,
                      water.width - 10.0f * u, words);
+    }
+    if (fish->is_present) {
+        draw_album_bow(frame, box);
     }
     lab_age_words(frame->language, fish->age_days, age, sizeof age);
     lab_length_words(fish->length_m, length, sizeof length);

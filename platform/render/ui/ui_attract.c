@@ -73,9 +73,12 @@ void ui_ready(const struct ui_frame *frame)
         ui_big_word(frame, FONT_STALL, y, 190.0f * u * pop,
                     in * (1.0f - f_smoothstep(0.82f, 1.0f, gone)), digit);
     }
-    /* A wooden tag shows the game mode and the paper grade of the round that begins. */
-    char paper[TEXT_LINE_MAX], words[2u * TEXT_LINE_MAX];
-    text_number(paper, sizeof paper, ui_words(frame, TEXT_PAPER), scene->grade);
+    /* A ribbon shows the game mode of the round that begins and, if all players have the same paper
+     * grade, the grade. */
+    char paper[TEXT_LINE_MAX] = "", words[2u * TEXT_LINE_MAX];
+    if (scene->grade != 0) {
+        text_number(paper, sizeof paper, ui_words(frame, TEXT_PAPER), scene->grade);
+    }
     snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode), paper);
     frame->batch->opacity = in;
     ui_ribbon(frame, (struct ui_ribbon){ FONT_STALL, UI_NIGHT, UI_GOLD_DIM, UI_GOLD },

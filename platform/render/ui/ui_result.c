@@ -52,8 +52,8 @@ static uint32_t counted_up(const struct scene *scene, uint32_t player)
 #define PRESENT_FROM_S 1.2f
 #define PRESENT_TO_S 3.2f
 
-/* Draws a bowl that is centred at (x, y) and `width` pixels wide, and a fish as a present, which
- * swims in an arc from the x coordinate `from_x` into the bowl. */
+/* Draws a bowl with a bow. The bowl is centred at (x, y) and `width` pixels wide. A fish, which is
+ * a present, swims in an arc from the x coordinate `from_x` into the bowl. */
 static void present_bowl(const struct ui_frame *frame, float x, float y, float width, float from_x)
 {
     const float share = f_smoothstep(PRESENT_FROM_S, PRESENT_TO_S, frame->scene->phase_s);
@@ -66,6 +66,7 @@ static void present_bowl(const struct ui_frame *frame, float x, float y, float w
         ui_fish_sign(frame, f_lerp(from_x, x, share), y - arc, 0.56f * width);
     }
     ui_panel(frame, UI_PANEL, rim, 0.045f * width, 0.0f, UI_VERMILION, 0);
+    ui_bow(frame, bowl.x + 0.92f * width, rim.y + 0.5f * rim.height, 0.5f * width);
 }
 
 /* Draws the number of fish that the only player caught, beside a fish. Below the number, draws the
@@ -101,11 +102,6 @@ static void one_players_result(const struct ui_frame *frame, struct ui_box box)
     if (has_present) {
         present_bowl(frame, box.x + 110.0f * u, count_y + 10.0f * u, 130.0f * u,
                      box.x + box.width - 90.0f * u);
-    }
-    if (rules_of(scene->mode)->has_levels) {
-        ui_level_tag(frame,
-                     (struct ui_box){ box.x + 30.0f * u, box.y - 12.0f * u, 74.0f * u, 88.0f * u },
-                     scene->player[player].level);
     }
     if (rules_of(scene->mode)->counts_fouls) {
         const float left = box.x + 26.0f * u, y = box.y + box.height - 37.0f * u;
@@ -213,6 +209,12 @@ static void draw_result_card(const struct ui_frame *frame, struct ui_box box)
         draw_result_ranking(frame, box);
     } else {
         one_players_result(frame, box);
+    }
+    if (rules_of(scene->mode)->has_levels) {
+        /* All scores of the round rank at this level, the easiest one of the players. */
+        ui_level_tag(frame,
+                     (struct ui_box){ box.x + 30.0f * u, box.y - 12.0f * u, 74.0f * u, 88.0f * u },
+                     scene->level);
     }
     /* The last line is the day's best score in the mode of the round. After a practice round, the
      * line is a comment of the stallkeeper instead. */

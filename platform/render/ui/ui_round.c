@@ -195,7 +195,7 @@ static void clock_at(const struct ui_frame *frame, float x, float y)
     ui_words_at(frame, x, y, digits.fit_px, 0.5f, digits, words);
 }
 
-/* Draws a plate at the top right with the paper's grade or label and the remaining time. If
+/* Draws a plate at the top right with the paper's grade and the remaining time. If
  * `is_alone` is true, `player` is the only player, and the plate also shows the state of the
  * player's paper. Returns the plate's width in pixels. */
 static float state_plate(const struct ui_frame *frame, uint32_t player, bool is_alone)
@@ -207,24 +207,24 @@ static float state_plate(const struct ui_frame *frame, uint32_t player, bool is_
     char grade[TEXT_LINE_MAX];
     text_number(grade, sizeof grade, ui_words(frame, TEXT_GRADE), scene->grade);
     const bool names_time = is_alone && !is_long(scene);
-    const char *const paper = scene->grade ? grade : ui_words(frame, TEXT_PAPER_LEFT);
+    /* Players with different grades see their level and their paper on their own plates. */
+    const char *const paper = scene->grade ? grade : "";
     const char *const time = ui_words(frame, TEXT_TIME_LEFT);
-    const float paper_width = ui_text_width(label, paper);
+    const float paper_width = scene->grade ? ui_text_width(label, paper) + 20.0f * u : 0.0f;
     const float poi_width = is_alone ? 76.0f * u : 0.0f;
     const float time_width = names_time ? ui_text_width(label, time) + 6.0f * u : 0.0f;
     const float clock_width = is_long(scene) ? TIME_WIDTH * u : 74.0f * u;
-    const float width =
-        20.0f * u + paper_width + poi_width + 20.0f * u + time_width + clock_width + 16.0f * u;
+    const float width = 20.0f * u + paper_width + poi_width + time_width + clock_width + 16.0f * u;
     const float left = frame->width - 18.0f * u - width, baseline = ui_text_middle(label, y);
     ui_plate(frame, (struct ui_box){ left, top, width, height });
     float x = left + 20.0f * u;
     ui_text(frame->batch, label, x, baseline, paper);
     x += paper_width;
     if (is_alone) {
-        ui_poi_sign(frame, x + 38.0f * u, y - 9.0f * u, 26.0f * u, scene->poi[player].paper_left,
+        ui_poi_sign(frame, x + 18.0f * u, y - 9.0f * u, 26.0f * u, scene->poi[player].paper_left,
                     ui_player_colours[player]);
     }
-    x += poi_width + 20.0f * u;
+    x += poi_width;
     if (names_time) {
         ui_text(frame->batch, label, x, baseline, time);
     }

@@ -41,6 +41,23 @@ void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, f
     ui_shape(frame->batch, &sign);
 }
 
+void ui_bow(const struct ui_frame *frame, float x, float y, float width)
+{
+    CORE_ASSERT(width > 0.0f);
+    const float knot[2] = { x, y };
+    for (uint32_t pass = 0; pass < 2u; pass++) { /* First the outline, then the ribbon. */
+        const float edge = pass == 0 ? 0.06f * width : 0.0f;
+        const uint32_t colour = pass == 0 ? UI_WASHI_WHITE : UI_VERMILION;
+        for (float side = -1.0f; side < 2.0f; side += 2.0f) {
+            const float tail[2] = { x + 0.24f * side * width, y + 0.36f * width };
+            ui_segment(frame->batch, knot, tail, 0.12f * width + edge, colour);
+            ui_ring(frame, x + 0.26f * side * width, y - 0.05f * width, 0.20f * width + 0.5f * edge,
+                    0.13f * width + edge, 1.0f, colour, colour);
+        }
+    }
+    ui_disc(frame, x, y, 0.12f * width, 0.03f * width, 0xb3261effu, UI_WASHI_WHITE);
+}
+
 void ui_plate(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit;

@@ -17,6 +17,10 @@ void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width);
 void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, float paper_left,
                  uint32_t ring);
 
+/* Draws a bow of ribbon, the sign of a present. The knot is at (x, y), and the bow is `width`
+ * pixels wide. */
+void ui_bow(const struct ui_frame *frame, float x, float y, float width);
+
 /* Draws a translucent plate of night-blue cloth as the background of numbers. */
 void ui_plate(const struct ui_frame *frame, struct ui_box box);
 

@@ -2,6 +2,7 @@
  * the paper, the motion of the poi in water, and how easily fish flee. */
 #include "tests/unit/support/core_fixture.h"
 
+#include "core/game/ranking/ranking.h"
 #include "core/game/rules.h"
 #include "core/poi/poi.h"
 
@@ -64,6 +65,7 @@ static void test_a_round_uses_the_ring_the_paper_and_the_fish_of_its_level(void 
         assert_memory_equal(&core.world.tank.temper, &easy->temper, sizeof easy->temper);
         core_scene(&core, &scene);
         assert_float_equal(scene.poi[0].ring_radius_m, easy->ring_radius_m, 0.0f);
+        assert_int_equal(scene.grade, GAME_POI_GRADE - easy->grade_step);
     }
 }
 
@@ -105,6 +107,55 @@ static void test_the_easy_level_limits_the_speed_of_a_poi_in_water(void **state)
     const float most_m = rules_of_level(LEVEL_EASY)->stroke_m_s * CORE_TICK_S;
     assert_true(step_in_water_m(LEVEL_MASTER) > most_m);
     assert_true(step_in_water_m(LEVEL_EASY) <= 1.01f * most_m);
+}
+
+/* Two players dip, one at the easy level and one at the master level. Each poi follows the level of
+ * its own player. The record and the leaderboards have the easiest level. */
+static void test_players_at_two_levels_share_a_round_and_its_leaderboard(void **state)
+{
+    (void)state;
+    static const uint8_t levels[] = { LEVEL_EASY, LEVEL_MASTER };
+    const struct level_rules *easy = rules_of_level(LEVEL_EASY);
+    open_core(&(struct core_config){ .seed = 7, .fish_count = 40, .players = 2 });
+    hold(0, v3(-0.2f, ABOVE_M, 0.0f));
+    hold(1, v3(0.2f, ABOVE_M, 0.0f));
+    press(INPUT_START);
+    wait_for_phase(PHASE_READY, 600);
+    for (uint32_t i = 0; i < 2u; i++) {
+        core.game.player[i].level = levels[i];
+    }
+    assert_int_equal(look()->grade, 0); /* The players have different papers. */
+    wait_for_phase(PHASE_ROUND, 1200);
+    lead(0, v3(-0.2f, BELOW_M, 0.0f));
+    lead(1, v3(0.2f, BELOW_M, 0.0f));
+    ticks(60);
+    assert_int_equal(look()->grade, 0);
+    float most_m[2] = { 0.0f, 0.0f };
+    vec3 before[2] = { core.game.control[0].target_pose.position_m,
+                       core.game.control[1].target_pose.position_m };
+    for (uint32_t k = 0; k < 10u; k++) {
+        for (uint32_t i = 0; i < 2u; i++) {
+            input.poi[i].target.position_m.z += k < 5u ? 0.01f : 0.0f;
+        }
+        tick();
+        for (uint32_t i = 0; i < 2u; i++) {
+            const vec3 at_m = core.game.control[i].target_pose.position_m;
+            most_m[i] = f_max(most_m[i], v3_length(v3_sub(at_m, before[i])));
+            before[i] = at_m;
+        }
+    }
+    assert_true(most_m[0] <= 1.01f * easy->stroke_m_s * CORE_TICK_S);
+    assert_true(most_m[1] > 1.2f * most_m[0]);
+    core.game.player[0].caught = 1;
+    core.game.player[1].caught = 2;
+    assert_int_equal(core_round_record(&core).level, LEVEL_EASY);
+    wait_for_phase(PHASE_RESULT, core.game.round_s * CORE_TICK_HZ + 600u);
+    const struct ranking *ranking = &core.game.accounts.ranking;
+    const uint32_t at_easy = ranking_board(MODE_FESTIVAL, LEVEL_EASY);
+    const uint32_t at_master = ranking_board(MODE_FESTIVAL, LEVEL_MASTER);
+    assert_int_equal(ranking->row[at_easy][RANK_DAY][0].caught, 2);
+    assert_int_equal(ranking->row[at_easy][RANK_DAY][1].caught, 1);
+    assert_int_equal(ranking->row[at_master][RANK_DAY][0].caught, 0);
 }
 
 static void test_a_level_out_of_range_is_refused(void **state)
@@ -207,6 +258,7 @@ int main(void)
         cmocka_unit_test(test_a_round_uses_the_ring_the_paper_and_the_fish_of_its_level),
         cmocka_unit_test(test_the_championship_is_always_played_at_the_master_level),
         cmocka_unit_test(test_the_easy_level_limits_the_speed_of_a_poi_in_water),
+        cmocka_unit_test(test_players_at_two_levels_share_a_round_and_its_leaderboard),
         cmocka_unit_test(test_a_level_out_of_range_is_refused),
         cmocka_unit_test(test_the_record_and_the_scene_have_the_easiest_level_of_the_players),
         cmocka_unit_test(test_a_round_that_a_power_cut_ends_keeps_its_level),

@@ -376,6 +376,38 @@ static void test_the_album_fits_every_screen_with_one_to_six_fish(void **state)
     }
 }
 
+/* Returns how many discs and rings the album has with two fish, of which `presents` are presents. A
+ * player who caught no fish has a present. */
+static uint32_t album_rings(const float size[2], uint32_t presents)
+{
+    uint32_t rings = 0;
+    catch_fish(2);
+    for (uint32_t i = 0; i < 2u; i++) {
+        core.game.player[i].caught = i < presents ? 0u : 1u;
+        core.game.album.fish[i].owner = i;
+    }
+    core.game.phase_tick = core.game.tick - album_ticks(2);
+    lay_out(size[0], size[1]);
+    check_inside(size[0], size[1]);
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        rings += batch.kinds[i] == UI_RING;
+    }
+    return rings;
+}
+
+/* The bow lets a visitor who does not read see which fish is a present. */
+static void test_each_present_in_the_album_has_a_bow(void **state)
+{
+    (void)state;
+    ticks(300);
+    for (uint32_t k = 0; k < SIZE_COUNT; k++) {
+        const uint32_t none = album_rings(sizes[k], 0);
+        const uint32_t bow = album_rings(sizes[k], 1) - none;
+        assert_true(bow >= 4u);
+        assert_int_equal(album_rings(sizes[k], 2) - none, 2u * bow);
+    }
+}
+
 static void test_each_album_fish_has_its_pattern_from_the_tank(void **state)
 {
     (void)state;
@@ -430,6 +462,7 @@ int main(void)
         TEST(test_the_ordinary_morph_in_the_lab_is_linear),
         TEST(test_an_edited_knot_changes_the_path_of_a_point),
         TEST(test_the_album_fits_every_screen_with_one_to_six_fish),
+        TEST(test_each_present_in_the_album_has_a_bow),
         TEST(test_the_bow_is_measured_from_the_infinite_line),
         TEST(test_an_album_fish_looks_on_its_catch_day_as_in_the_tank),
         TEST(test_each_album_fish_has_its_pattern_from_the_tank),
