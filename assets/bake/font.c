@@ -25,6 +25,8 @@
  * wide. Texels at this distance outside the outline have the value 0. */
 #define FONT_PADDING 10
 #define KEY_PATTERNS_MAX 192u
+/* Largest code that a Latin font file supplies: the end of the Unicode block Latin Extended-A. */
+#define LATIN_LAST 0x17fu
 
 struct atlas {
     uint32_t page_rows;  /* Height of a page in texels, a multiple of 4 and at most
@@ -32,9 +34,17 @@ struct atlas {
     uint32_t page_count; /* Number of pages, at most FONT_PAGES_MAX. */
 };
 
+/* An open font file and the factor from its units to atlas pixels. */
+struct font_file {
+    char path[256];
+    stbtt_fontinfo info;
+    float scale;
+};
+
 struct glyph {
     uint32_t code;
-    int index;      /* Index of the glyph in the font file. */
+    const struct font_file *file; /* Font file with the outline of the glyph. */
+    int index;                    /* Index of the glyph in `file`. */
     uint8_t *field; /* Distance field of width x height values. Null for a glyph without ink, such
                        as a space. */
     int width, height, left_px, top_px;
@@ -42,11 +52,13 @@ struct glyph {
 };
 
 struct face {
-    char name[32], path[512], base[16];
+    char name[32], base[16];
     char patterns[KEY_PATTERNS_MAX][32];
     uint32_t pattern_count;
-    float em_px, scale;
-    stbtt_fontinfo info;
+    float em_px;
+    /* The font file, and an optional font file whose Latin letters, digits and signs replace those
+     * of `file`. The path of an absent Latin file is empty. */
+    struct font_file file, latin;
     struct glyph *glyphs;
     uint32_t glyph_count;
 };
@@ -65,9 +77,11 @@ static void read_face(void *self, const char *path, char *line, uint32_t number)
         bake_fail("%s:%u: more than %u fonts (FONT_MAX)", path, number, FONT_MAX);
     }
     struct face *face = &list->faces[list->count++];
-    if (sscanf(line, "%31s %f %15s %511s %n", face->name, &face->em_px, face->base, face->path,
+    if (sscanf(line, "%31s %f %15s %255[^ \t:]:%255s %n", face->name, &face->em_px, face->base,
+               face->file.path, face->latin.path, &length) < 5 &&
+        sscanf(line, "%31s %f %15s %255s %n", face->name, &face->em_px, face->base, face->file.path,
                &length) < 4) {
-        bake_fail("%s:%u: expected `name em-pixels set file keys...`", path, number);
+        bake_fail("%s:%u: expected `name em-pixels set file[:latin-file] keys...`", path, number);
     }
     if (!(face->em_px >= 8.0f && face->em_px <= 256.0f)) {
         bake_fail("%s:%u: em of %g pixels is not in 8 .. 256", path, number, (double)face->em_px);
@@ -81,25 +95,41 @@ static void read_face(void *self, const char *path, char *line, uint32_t number)
     }
 }
 
-static void open_face(struct face *face)
+static void open_file(const struct face *face, struct font_file *file)
 {
-    if (access(face->path, R_OK) != 0) {
+    if (access(file->path, R_OK) != 0) {
         bake_fail("font %s: cannot read %s: %s; `make setup` installs the fonts", face->name,
-                  face->path, strerror(errno));
+                  file->path, strerror(errno));
     }
     size_t size;
     /* The memory is never freed, because stb_truetype reads the file's bytes until the program
      * ends. */
-    const uint8_t *bytes = bake_read(face->path, &size);
+    const uint8_t *bytes = bake_read(file->path, &size);
     const int offset = stbtt_GetFontOffsetForIndex(bytes, 0);
-    if (size < 12 || offset < 0 || !stbtt_InitFont(&face->info, bytes, offset)) {
-        bake_fail("font %s: %s is not a TrueType font", face->name, face->path);
+    if (size < 12 || offset < 0 || !stbtt_InitFont(&file->info, bytes, offset)) {
+        bake_fail("font %s: %s is not a TrueType font", face->name, file->path);
     }
-    face->scale = stbtt_ScaleForMappingEmToPixels(&face->info, face->em_px);
+    file->scale = stbtt_ScaleForMappingEmToPixels(&file->info, face->em_px);
+}
+
+static void open_face(struct face *face)
+{
+    open_file(face, &face->file);
+    if (face->latin.path[0] != '\0') {
+        open_file(face, &face->latin);
+    }
     face->glyphs = bake_alloc(GLYPHS_MAX * sizeof *face->glyphs);
 }
 
-/* Adds a glyph, unless the font already has it. Returns false if the font file lacks the character
+/* Returns the font file that has the best outline of a character. */
+static const struct font_file *file_of(const struct face *face, uint32_t code)
+{
+    const bool is_latin = code <= LATIN_LAST && face->latin.path[0] != '\0';
+    return is_latin && stbtt_FindGlyphIndex(&face->latin.info, (int)code) != 0 ? &face->latin
+                                                                               : &face->file;
+}
+
+/* Adds a glyph, unless the font already has it. Returns false if the font files lack the character
  * or the font already has GLYPHS_MAX glyphs. */
 static bool add_glyph(struct face *face, uint32_t code)
 {
@@ -109,11 +139,13 @@ static bool add_glyph(struct face *face, uint32_t code)
             return true;
         }
     }
-    const int index = stbtt_FindGlyphIndex(&face->info, (int)code);
+    const struct font_file *file = file_of(face, code);
+    const int index = stbtt_FindGlyphIndex(&file->info, (int)code);
     if (index == 0 || face->glyph_count == GLYPHS_MAX) {
         return false;
     }
-    face->glyphs[face->glyph_count++] = (struct glyph){ .code = code, .index = index };
+    face->glyphs[face->glyph_count++] =
+        (struct glyph){ .code = code, .file = file, .index = index };
     return true;
 }
 
@@ -122,7 +154,7 @@ static void add_range(struct face *face, uint32_t first, uint32_t last)
     assert(first <= last);
     for (uint32_t code = first; code <= last; code++) {
         if (!add_glyph(face, code)) {
-            bake_fail("font %s (%s) lacks U+%04X of its set `%s`", face->name, face->path,
+            bake_fail("font %s (%s) lacks U+%04X of its set `%s`", face->name, face->file.path,
                       (unsigned)code, face->base);
         }
     }
@@ -165,7 +197,7 @@ static void add_words(struct face *face, const struct text_file *file)
         for (uint32_t code = printable_next(&at); code != 0; code = printable_next(&at)) {
             if (!add_glyph(face, code)) {
                 bake_fail("font %s (%s) lacks `%.*s` (U+%04X), which %s:%u uses", face->name,
-                          face->path, (int)(at - start), start, code, file->path, line->line);
+                          face->file.path, (int)(at - start), start, code, file->path, line->line);
             }
             start = at;
         }
@@ -186,8 +218,8 @@ static void measure_face(struct face *face)
     for (uint32_t i = 0; i < face->glyph_count; i++) {
         struct glyph *glyph = &face->glyphs[i];
         int left, top, right, bottom;
-        stbtt_GetGlyphBitmapBox(&face->info, glyph->index, face->scale, face->scale, &left, &top,
-                                &right, &bottom);
+        stbtt_GetGlyphBitmapBox(&glyph->file->info, glyph->index, glyph->file->scale,
+                                glyph->file->scale, &left, &top, &right, &bottom);
         if (left < right && top < bottom) {
             glyph->width = right - left + 2 * FONT_PADDING;
             glyph->height = bottom - top + 2 * FONT_PADDING;
@@ -197,13 +229,12 @@ static void measure_face(struct face *face)
 
 static void draw_face(struct face *face)
 {
-    assert(face->scale > 0.0f);
     for (uint32_t i = 0; i < face->glyph_count; i++) {
         struct glyph *glyph = &face->glyphs[i];
         int width = 0, height = 0;
-        glyph->field =
-            stbtt_GetGlyphSDF(&face->info, face->scale, glyph->index, FONT_PADDING, FONT_EDGE,
-                              (float)FONT_STEP, &width, &height, &glyph->left_px, &glyph->top_px);
+        glyph->field = stbtt_GetGlyphSDF(&glyph->file->info, glyph->file->scale, glyph->index,
+                                         FONT_PADDING, FONT_EDGE, (float)FONT_STEP, &width, &height,
+                                         &glyph->left_px, &glyph->top_px);
         if (width != glyph->width || height != glyph->height) {
             bake_fail("font %s: U+%04X was measured %dx%d and drawn %dx%d", face->name,
                       (unsigned)glyph->code, glyph->width, glyph->height, width, height);
@@ -223,11 +254,11 @@ static void write_tables(struct face *faces, uint32_t count, const char *path)
             const struct glyph *glyph = &faces[i].glyphs[k];
             const float em_px = faces[i].em_px;
             int advance, bearing;
-            stbtt_GetGlyphHMetrics(&faces[i].info, glyph->index, &advance, &bearing);
+            stbtt_GetGlyphHMetrics(&glyph->file->info, glyph->index, &advance, &bearing);
             fprintf(file, "    { 0x%04x, %u, %u, %d, %d, %.5ff, %.5ff, %.5ff },\n", glyph->code,
                     glyph->x, glyph->y, glyph->width, glyph->height,
                     (double)((float)glyph->left_px / em_px), (double)((float)glyph->top_px / em_px),
-                    (double)((float)advance * faces[i].scale / em_px));
+                    (double)((float)advance * glyph->file->scale / em_px));
         }
         fputs("};\n", file);
     }
@@ -235,8 +266,9 @@ static void write_tables(struct face *faces, uint32_t count, const char *path)
     for (uint32_t i = 0; i < count; i++) {
         const struct face *face = &faces[i];
         int left, bottom, right, top;
-        const float cap_em = stbtt_GetCodepointBox(&face->info, '0', &left, &bottom, &right, &top)
-                                 ? (float)top * face->scale / face->em_px
+        const struct font_file *const zero = file_of(face, '0');
+        const float cap_em = stbtt_GetCodepointBox(&zero->info, '0', &left, &bottom, &right, &top)
+                                 ? (float)top * zero->scale / face->em_px
                                  : 0.7f;
         fprintf(file, "    { \"%s\", %s_glyphs, %u, %.1ff, %.5ff },\n", face->name, face->name,
                 face->glyph_count, (double)face->em_px, (double)cap_em);

@@ -11,7 +11,7 @@ layout(location = 14) in vec4 character;   // Bend in rad, maturity, pattern lay
 layout(location = 13) in vec4 rides;       // zw: motion of the opening mouth, as pack_mouth() of
                                            // fish_mesh.c writes it.
 layout(location = 15) in vec3 gulp;        // Opening of the mouth, phase of the gulp, row of the
-                                           // fish in `shapes`.
+                                           // fish in `shapes`, or -1 - row for a fish in a bowl.
 
 uniform sampler2D caustics;
 uniform sampler2D shapes; // For each vertex a texel with the position, in body lengths, and a texel
@@ -82,7 +82,8 @@ float open_mouth(inout vec3 p)
 
 void main()
 {
-    ivec2 texel = ivec2(2 * gl_VertexID, int(gulp.z + 0.5));
+    bool is_in_bowl = gulp.z < 0.0;
+    ivec2 texel = ivec2(2 * gl_VertexID, int((is_in_bowl ? -1.0 - gulp.z : gulp.z) + 0.5));
     vec3 p = texelFetch(shapes, texel, 0).xyz;
     vec3 n = texelFetch(shapes, texel + ivec2(1, 0), 0).xyz;
 
@@ -158,11 +159,12 @@ void main()
     float caustic = textureLod(caustics, world.xz * CAUSTIC_TILES * 1.15, 0.0).r;
     float light = diffuse * (1.0 + (caustic * 2.4 - 0.55) * max(n.y, 0.0) * (1.0 - wet));
     // Above the water only the shades of fans count, because a fish above the water lies on the poi
-    // that casts the shade.
+    // that casts the shade. The clear water of a bowl absorbs no light, and its fish are as bright as
+    // on the poi that poured them.
     vec2 shade_here = shades_at(world);
-    float shade = world.y < 0.0 ? shade_here.y : shade_here.x;
+    float shade = world.y < 0.0 && !is_in_bowl ? shade_here.y : shade_here.x;
     light *= 1.0 - 0.85 * shade;
-    vec3 left = water_passes(depth * 1.2);
+    vec3 left = water_passes(is_in_bowl ? 0.0 : depth * 1.2);
 #ifdef FIN
     float gloss = 0.0;
     light *= 0.75 + 0.25 * smoothstep(0.0, 0.42, facing);

@@ -53,6 +53,10 @@ sed -i 's/ReggaeOne/Nowhere/' "$work/text/fonts.txt"
 refuses 'font stall: cannot read .*Nowhere-Regular.ttf: .*' 'a missing font file is reported'
 
 fresh
+sed -i 's/OpenSans-Bold/OpenSans-Nowhere/' "$work/text/fonts.txt"
+refuses 'font body: cannot read .*OpenSans-Nowhere.ttf: .*' 'a missing Latin font file is reported'
+
+fresh
 sed -i "s|/usr[^ ]*ReggaeOne[^ ]*|$work/text/en.txt|" "$work/text/fonts.txt"
 refuses 'font stall: .*en.txt is not a TrueType font' 'a file that is not a font is reported'
 

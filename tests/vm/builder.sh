@@ -13,7 +13,7 @@ step "a root to build in: $suite"
 tools=base-files,base-passwd,dash,bash,coreutils,sed,grep,gawk,findutils,tar,diffutils,gcc,libc6-dev,make,pkg-config,bc
 kbuild=$(guest_apt apt-cache depends "linux-headers-$(kernel_release)" |
     sed -n 's/.*Depends: \(linux-kbuild-[^ :]*\).*/\1/p' | head -1)
-tools+=,$kbuild,fonts-morisawa-bizud-gothic,fonts-kouzan-mouhitsu,fonts-reggae,libstb-dev
+tools+=,$kbuild,fonts-morisawa-bizud-gothic,fonts-kouzan-mouhitsu,fonts-open-sans,fonts-reggae,libstb-dev
 libraries=libsdl2-dev,libgles-dev,libegl-dev,libsqlite3-dev,libusb-1.0-0-dev,libgpiod-dev
 architectures=amd64
 if [ "$arch" != amd64 ]; then

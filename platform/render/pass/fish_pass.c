@@ -138,7 +138,8 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
             .up_amplitude = { axes.up.x, axes.up.y, axes.up.z, fish->tail_amplitude },
             .character = { fish->bend_rad, fish->maturity, textures_pattern(fish->look),
                            textures_hue(fish->look) },
-            .gulp = { fish->gape, fish->gulp, (float)row },
+            .gulp = { fish->gape, fish->gulp,
+                      pass->group[row] == FISH_IN_BOWL ? -1.0f - (float)row : (float)row },
         };
     }
     /* The texture row of each fish is its index in the scene. A row is written again only if

@@ -28,7 +28,8 @@ struct fish_instance {
     float place[4], right_phase[4], up_amplitude[4];
     float character[4];
     /* Opening of the mouth, phase of the gulp (a gasp for air), and row of the fish in the texture
-     * of struct fish_shapes. */
+     * of struct fish_shapes. The row of a fish in a bowl is stored as -1 - row, because the clear
+     * water of a bowl does not tint the fish. */
     float gulp[3];
 };
 

@@ -40,7 +40,7 @@ void ui_attract(const struct ui_frame *frame)
                     0.05f, 0.12f, 0x0a0814d0u);
     const float x = 0.5f * frame->width;
     /* Larger letters need a larger distance between the lines. */
-    const float keys_y = frame->height - 15.0f * u, step = (8.0f + 18.0f * frame->text_scale) * u;
+    const float keys_y = frame->height - 15.0f * u, step = (8.0f + 21.0f * frame->text_scale) * u;
     if (!(scene->credit.warnings & WARN_NO_POI)) {
         ui_text(frame->batch, text, x, keys_y - step, ui_words(frame, TEXT_MOUSE));
     }

@@ -202,8 +202,7 @@ void ui_choose(const struct ui_frame *frame)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct scene_player *const player = &scene->player[i];
         if (player->has_pointer) {
-            ui_poi_sign(&canvas, canvas.x + player->x * u, canvas.y + player->y * u, 20.0f * u,
-                        1.0f, ui_player_colours[i]);
+            ui_pointer(&canvas, player->x, player->y, false, ui_player_colours[i]);
         }
     }
     frame->batch->opacity = 1.0f;

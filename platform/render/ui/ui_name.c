@@ -149,8 +149,7 @@ void ui_name(const struct ui_frame *frame)
         ui_place_either(&canvas, canvas_box(60, 678, 1160, 34), canvas_box(27, 1190, 800, 40)),
         24.0f, 0xc9d2eeffu, TEXT_NAME_KEYS);
     if (name->has_pointer) {
-        ui_poi_sign(&canvas, canvas.x + name->x * canvas.unit, canvas.y + name->y * canvas.unit,
-                    (name->presses ? 15.0f : 20.0f) * canvas.unit, 1.0f, colour_of(name));
+        ui_pointer(&canvas, name->x, name->y, name->presses != 0, colour_of(name));
     }
     frame->batch->opacity = 1.0f;
 }

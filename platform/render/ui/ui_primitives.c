@@ -4,13 +4,17 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "core/base/panic.h"
 #include "core/view.h"
 
 #define TAU 6.28318531f
-#define NOREN_STRIPS 5u
-#define CEDAR_DIM 0xa77d50ffu
+/* Width of the shop curtain divided by its largest height: five square strips. */
+#define NOREN_RATIO 5.1f
+/* Largest number of strips of the shop curtain. */
+#define NOREN_STRIPS_MAX 8u
+#define NOREN_PHASE_RAD 0.8f /* Phase difference between the sway of neighbouring strips. */
 
 struct ui_frame ui_canvas(const struct ui_frame *frame, bool is_upright)
 {
@@ -258,63 +262,86 @@ static void hang_lantern(const struct ui_frame *frame, float x, float y, float s
                ui_words(frame, TEXT_LANTERN));
 }
 
-static void noren_title(const struct ui_frame *frame, float left, float top, float width,
-                        float height)
+/* Copies the text of the next strip of the shop curtain to `out`, and advances `words` behind the
+ * text. Each strip shows one character of a Japanese title, like a real shop curtain, and one word
+ * of a title in another language. The slits between the strips therefore never cut a letter.
+ * Returns false at the end of the title. */
+static bool noren_take(uint8_t language, const char **words, char *out, size_t out_size)
 {
-    const bool is_brush = frame->language == LANGUAGE_JA;
-    struct ui_text title = { .font = is_brush ? FONT_BRUSH : FONT_STALL,
-                             .align = 0.5f,
-                             .size_px = is_brush ? height * 0.86f : height * 0.56f,
-                             .weight_em = is_brush ? 0.022f : 0.004f,
-                             .fill = UI_CREAM };
-    const char *words = ui_words(frame, TEXT_TITLE);
-    if (!is_brush) {
-        ui_words_at(frame, left + 0.5f * width, top + 0.50f * height, width * 0.92f, 0.5f, title,
-                    words);
-        return;
+    size_t size = 0;
+    while (**words == ' ') {
+        (*words)++;
     }
-    /* Each strip of the curtain shows one character of the title, like a real shop curtain. */
-    for (uint32_t i = 0; i < NOREN_STRIPS && *words != 0; i++) {
-        char one[8];
-        const char *from = words;
-        printable_next(&words);
-        snprintf(one, sizeof one, "%.*s", (int)(words - from), from);
-        const float x = left + width * ((float)i + 0.5f) / (float)NOREN_STRIPS;
-        const float sway = frame->unit * 1.6f * sinf(frame->time_s * 0.9f + (float)i * 0.8f);
-        ui_text_at(frame, title, x + sway, top + 0.51f * height, one);
+    if (language == LANGUAGE_JA) {
+        const char *end = *words;
+        size = printable_next(&end) != 0 ? (size_t)(end - *words) : 0;
+    } else {
+        size = strcspn(*words, " ");
     }
+    snprintf(out, out_size, "%.*s", (int)size, *words);
+    *words += size;
+    return size > 0;
+}
+
+/* Draws one strip of the shop curtain: two loops over the pole, the cloth, a white hem and the text
+ * `words`. */
+static void noren_strip(const struct ui_frame *frame, struct ui_box box, float phase_rad,
+                        struct ui_text title, const char *words)
+{
+    const float u = frame->unit, sway = sinf(frame->time_s * 0.9f + phase_rad);
+    const float lean = 3.0f * u * sway;
+    for (uint32_t k = 0; k < 2u; k++) {
+        const struct ui_box loop = { box.x + box.width * (0.18f + 0.54f * (float)k),
+                                     box.y - 21.0f * u, fminf(0.10f * box.width, 16.0f * u),
+                                     26.0f * u };
+        ui_panel(frame, UI_PANEL, loop, 3.0f * u, 1.2f * u, 0x2b3878ffu, 0x0b1030ffu);
+    }
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
+                                               .kind = UI_WAVES,
+                                               .fill = UI_INDIGO,
+                                               .line = 0x0b1030ffu,
+                                               .lean_px = lean,
+                                               .shape = { 0, 0, 9.0f * u, 1.5f * u } });
+    const struct ui_box hem = { box.x + lean * 0.93f + 5.0f * u, box.y + box.height * 0.935f,
+                                box.width - 10.0f * u, 2.5f * u };
+    ui_panel(frame, UI_PANEL, hem, 1.2f * u, 0.0f, 0xfff6e2b0u, 0);
+    ui_text_at(frame, title, box.x + 0.5f * box.width + 1.6f * u * sway, box.y + 0.49f * box.height,
+               words);
 }
 
 void ui_noren(const struct ui_frame *frame, float lift)
 {
+    const bool is_brush = frame->language == LANGUAGE_JA;
     const float u = frame->unit;
     const float width = fminf(frame->width - 276.0f * u, 860.0f * u);
-    const float height = fminf(0.235f * frame->height, width / (float)NOREN_STRIPS * 0.98f);
-    const float left = 0.5f * (frame->width - width), strip = width / (float)NOREN_STRIPS;
+    const float height = fminf(0.235f * frame->height, width / NOREN_RATIO);
+    const float left = 0.5f * (frame->width - width);
     const float top = 24.0f * u - lift * (height + 200.0f * u);
     const struct ui_box pole = { left - 130.0f * u, top - 9.0f * u, width + 260.0f * u, 15.0f * u };
+    struct ui_text title = { .font = is_brush ? FONT_BRUSH : FONT_STALL,
+                             .align = 0.5f,
+                             .size_px = is_brush ? height * 0.86f : height * 0.60f,
+                             .weight_em = is_brush ? 0.022f : 0.004f,
+                             .fill = UI_CREAM };
+    char part[NOREN_STRIPS_MAX][TEXT_LINE_MAX / 4u];
+    const char *words = ui_words(frame, TEXT_TITLE);
+    uint32_t count = 0;
+    while (count < NOREN_STRIPS_MAX &&
+           noren_take(frame->language, &words, part[count], sizeof part[count])) {
+        count++;
+    }
+    CORE_ASSERT(count > 0);
+    const float strip = width / (float)count;
+    for (uint32_t i = 0; i < count; i++) { /* All strips have the size of the longest text. */
+        title.fit_px = 0.88f * strip;
+        title.size_px = ui_text_size(title, part[i]);
+    }
     ui_panel(frame, UI_WASHI, pole, 7.0f * u, 2.0f * u, 0x8a5a34ffu, 0x3a2214ffu);
-    for (uint32_t i = 0; i < NOREN_STRIPS; i++) {
-        /* Each strip consists of two loops over the pole, the cloth and a white hem. */
+    for (uint32_t i = 0; i < count; i++) {
         const struct ui_box box = { left + strip * (float)i + u, top + 9.0f * u, strip - 2.0f * u,
                                     height - 9.0f * u };
-        const float lean = u * 3.0f * sinf(frame->time_s * 0.9f + (float)i * 0.8f);
-        for (uint32_t k = 0; k < 2u; k++) {
-            const struct ui_box loop = { box.x + box.width * (0.18f + 0.54f * (float)k),
-                                         box.y - 21.0f * u, box.width * 0.10f, 26.0f * u };
-            ui_panel(frame, UI_PANEL, loop, 3.0f * u, 1.2f * u, 0x2b3878ffu, 0x0b1030ffu);
-        }
-        ui_shape(frame->batch, &(struct ui_shape){ .box = box,
-                                                   .kind = UI_WAVES,
-                                                   .fill = UI_INDIGO,
-                                                   .line = 0x0b1030ffu,
-                                                   .lean_px = lean,
-                                                   .shape = { 0, 0, 9.0f * u, 1.5f * u } });
-        const struct ui_box hem = { box.x + lean * 0.93f + 5.0f * u, box.y + box.height * 0.935f,
-                                    box.width - 10.0f * u, 2.5f * u };
-        ui_panel(frame, UI_PANEL, hem, 1.2f * u, 0.0f, 0xfff6e2b0u, 0);
+        noren_strip(frame, box, (float)i * NOREN_PHASE_RAD, title, part[i]);
     }
-    noren_title(frame, left, top, width, height);
     hang_lantern(frame, left - 64.0f * u, top, 118.0f * u, 0.0f);
     hang_lantern(frame, left + width + 64.0f * u, top, 118.0f * u, 2.0f);
 }
@@ -383,5 +410,5 @@ void ui_wooden_tag(const struct ui_frame *frame, struct ui_box box, bool is_poin
     const struct ui_box shade = { box.x + 5.0f * u, box.y + 12.0f * u, box.width, box.height };
     ui_panel(frame, UI_PANEL, shade, 12.0f * u, 0.0f, 0x05061c70u, 0);
     ui_panel(frame, UI_WOOD, box, 10.0f * u, (is_pointed ? 5.0f : 2.0f) * u,
-             is_pointed ? UI_CEDAR : CEDAR_DIM, is_pointed ? 0xc8341fffu : 0x5a3a20ffu);
+             is_pointed ? UI_CEDAR : UI_CEDAR_DIM, is_pointed ? 0xc8341fffu : 0x5a3a20ffu);
 }

@@ -17,7 +17,8 @@
 #define UI_INK 0x241a20ffu
 #define UI_INK_SOFT 0x5a4648ffu
 #define UI_CREAM 0xfff6e2ffu
-#define UI_CEDAR 0xd9a667ffu
+#define UI_CEDAR 0xe0b074ffu
+#define UI_CEDAR_DIM 0xc4965fffu  /* Wood of a tag that is not pointed at. */
 #define UI_WORD_SHADE 0x0a0c24e0u /* Colour of the shadow around large words. */
 
 struct ui_memory;

@@ -58,6 +58,14 @@ void ui_bow(const struct ui_frame *frame, float x, float y, float width)
     ui_disc(frame, x, y, 0.12f * width, 0.03f * width, 0xb3261effu, UI_WASHI_WHITE);
 }
 
+void ui_pointer(const struct ui_frame *canvas, float x, float y, bool presses, uint32_t ring)
+{
+    const float u = canvas->unit, radius = (presses ? 16.0f : 22.0f) * u;
+    const float at_x = canvas->x + x * u, at_y = canvas->y + y * u;
+    ui_glow(canvas, ui_around(at_x, at_y, 2.2f * radius), presses ? 0xff9a50a0u : 0xffffff38u);
+    ui_poi_sign(canvas, at_x, at_y, radius, 0.0f, ring);
+}
+
 void ui_plate(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit;

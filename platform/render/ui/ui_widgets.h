@@ -21,6 +21,11 @@ void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, f
  * pixels wide. */
 void ui_bow(const struct ui_frame *frame, float x, float y, float width);
 
+/* Draws the pointer of a player, a ring without paper, so that the text below the ring stays
+ * readable. The ring is smaller while `presses` is true. The frame is a canvas (ui_canvas()), and
+ * (`x`, `y`) is in canvas units. */
+void ui_pointer(const struct ui_frame *canvas, float x, float y, bool presses, uint32_t ring);
+
 /* Draws a translucent plate of night-blue cloth as the background of numbers. */
 void ui_plate(const struct ui_frame *frame, struct ui_box box);
 

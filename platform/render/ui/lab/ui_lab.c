@@ -202,9 +202,6 @@ void ui_lab(const struct ui_frame *frame)
     help_line(&canvas);
     draw_lab_buttons(&canvas);
     if (lab->has_pointer) {
-        const float x = canvas.x + lab->x * u, y = canvas.y + lab->y * u;
-        const float radius = (lab->presses ? 12.0f : 16.0f) * u;
-        ui_glow(&canvas, ui_around(x, y, 2.2f * radius), lab->presses ? 0xff9a50a0u : 0xffffff38u);
-        ui_poi_sign(&canvas, x, y, radius, 0.0f, ui_player_colours[0]);
+        ui_pointer(&canvas, lab->x, lab->y, lab->presses != 0, ui_player_colours[0]);
     }
 }

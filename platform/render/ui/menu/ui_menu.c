@@ -159,8 +159,7 @@ void ui_menu(const struct ui_frame *frame)
                   ui_body(&canvas, 22.0f, MENU_NOTE), ui_words(&canvas, keys));
     }
     if (menu->has_pointer) {
-        ui_poi_sign(&canvas, canvas.x + menu->x * canvas.unit, canvas.y + menu->y * canvas.unit,
-                    (menu->presses ? 15.0f : 20.0f) * canvas.unit, 1.0f, ui_player_colours[0]);
+        ui_pointer(&canvas, menu->x, menu->y, menu->presses != 0, ui_player_colours[0]);
     }
     frame->batch->opacity = 1.0f;
 }

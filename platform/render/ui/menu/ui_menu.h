@@ -10,7 +10,7 @@
 #include "platform/render/ui/ui_widgets.h"
 
 #define MENU_INK 0x2a160cffu
-#define MENU_INK_SOFT 0x4a2f1cffu
+#define MENU_INK_SOFT 0x40260fffu
 #define MENU_NOTE 0xc9d2eeffu /* Colour of a note on the darkened tank. */
 #define MENU_GOOD 0x17754effu
 #define MENU_BAD 0xb3261effu

@@ -9,7 +9,7 @@
 #include "platform/render/ui/menu/ui_menu.h"
 
 /* Colour of a value that differs from its default, dark enough to be readable on wood. */
-#define CHANGED_PAINT 0x94140cffu
+#define CHANGED_PAINT 0x86120bffu
 #define ARROW_PAINT 0x5a3418ffu /* Colour of the plate of an arrow that changes a value. */
 
 /* Text size of the range on a board, and margin at the left edge of a board. Both are in canvas

@@ -403,6 +403,44 @@ static void hang_board(uint8_t period, uint32_t rows, float shown_s, float left_
     }
 }
 
+/* Returns true if a strip of the shop curtain contains the ink of the letter `quad`, or if the
+ * letter is not on the curtain. The quad of a letter extends beyond the ink by the margin of the
+ * distance field, which is 10 atlas pixels wide. */
+static bool is_on_one_strip(uint32_t quad)
+{
+    const struct bounds letter = bounds_of(quad);
+    const float margin = 10.0f * batch.vertices[quad * 4u].shape[3];
+    bool is_on_curtain = false, is_on_strip = false;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        const struct bounds strip = bounds_of(i);
+        const float middle = 0.5f * (letter.top + letter.bottom);
+        if (batch.kinds[i] != UI_WAVES || middle < strip.top || middle > strip.bottom) {
+            continue;
+        }
+        is_on_curtain |= letter.right > strip.left && letter.left < strip.right;
+        is_on_strip |= letter.left + margin >= strip.left && letter.right - margin <= strip.right;
+    }
+    return !is_on_curtain || is_on_strip;
+}
+
+static void test_no_letter_of_the_title_crosses_a_slit_of_the_curtain(void **state)
+{
+    (void)state;
+    for (size_t s = 0; s < SIZE_COUNT; s++) {
+        for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
+            uint32_t strips = 0;
+            set_scene(PHASE_ATTRACT, language, HINT_NONE, 5.0f);
+            scene.leaderboard.shown = 0;
+            lay_out(sizes[s]);
+            for (uint32_t i = 0; i < batch.quad_count; i++) {
+                strips += batch.kinds[i] == UI_WAVES;
+                assert_true(batch.kinds[i] != UI_GLYPH || is_on_one_strip(i));
+            }
+            assert_true(strips >= 2u);
+        }
+    }
+}
+
 static void test_every_leaderboard_fits_the_screen(void **state)
 {
     (void)state;
@@ -683,6 +721,7 @@ int main(void)
         cmocka_unit_test(test_credits_and_warnings_fit_in_every_phase),
         cmocka_unit_test(test_the_middle_of_the_tank_is_uncovered_during_a_round),
         cmocka_unit_test(test_important_text_is_readable_from_two_metres),
+        cmocka_unit_test(test_no_letter_of_the_title_crosses_a_slit_of_the_curtain),
         cmocka_unit_test(test_every_leaderboard_fits_the_screen),
         cmocka_unit_test(test_the_name_entry_fits_every_screen),
         cmocka_unit_test(test_each_offered_mode_has_a_tag_and_the_selected_tag_is_raised),

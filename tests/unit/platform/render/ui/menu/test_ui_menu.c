@@ -464,6 +464,55 @@ static uint32_t quads_of(uint8_t page)
 
 /* Each page on the path to the page of the warning shows a mark, so that the operator finds the
  * warning. */
+/* Returns the relative luminance [0, 1] of the colour 0xRRGGBBAA (WCAG 2.1). */
+static double luminance(uint32_t colour)
+{
+    static const double weights[3] = { 0.2126, 0.7152, 0.0722 };
+    double sum = 0.0;
+    for (uint32_t i = 0; i < 3u; i++) {
+        const double part = (double)(colour >> (24u - 8u * i) & 0xffu) / 255.0;
+        sum += weights[i] * (part <= 0.04045 ? part / 12.92 : pow((part + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+/* Returns the contrast ratio of two colours (WCAG 2.1), from 1 to 21. */
+static double contrast(uint32_t a, uint32_t b)
+{
+    const double x = luminance(a) + 0.05, y = luminance(b) + 0.05;
+    return x > y ? x / y : y / x;
+}
+
+/* WCAG 2.1 demands a contrast ratio of 4.5 for small text (level AA). */
+static void test_ink_has_contrast_to_the_wood_of_the_boards(void **state)
+{
+    (void)state;
+    static const uint32_t inks[] = { MENU_INK, MENU_INK_SOFT };
+    for (uint32_t i = 0; i < 2u; i++) {
+        assert_true(contrast(inks[i], UI_CEDAR_DIM) >= 4.5);
+        assert_true(contrast(inks[i], UI_CEDAR) >= 4.5);
+    }
+    assert_true(contrast(0x000000ff, 0xffffffff) > 20.9);
+}
+
+/* A pointer with paper would hide the number below the pointer. */
+static void test_the_pointer_is_a_ring_without_paper(void **state)
+{
+    (void)state;
+    uint32_t rings = 0;
+    set_page(MENU_MONEY, 0x3ffu, LANGUAGE_EN, 0);
+    lay_out(0);
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        const struct ui_vertex *v = &batch.vertices[i * 4u];
+        const float x = 0.5f * (v[0].x + v[3].x), y = 0.5f * (v[0].y + v[3].y);
+        if (batch.kinds[i] == UI_POI && fabsf(x - 400.0f) < 1.0f && fabsf(y - 300.0f) < 1.0f) {
+            assert_true(v->shape[1] == 0.0f);
+            rings++;
+        }
+    }
+    assert_int_equal(rings, 1);
+}
+
 static void test_an_open_warning_marks_the_path_to_its_page(void **state)
 {
     static const uint8_t pages[] = { MENU_TOP, MENU_UPKEEP };
@@ -561,6 +610,8 @@ static void test_the_opening_checklist_fits_its_page_in_every_state(void **state
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_ink_has_contrast_to_the_wood_of_the_boards),
+        cmocka_unit_test(test_the_pointer_is_a_ring_without_paper),
         cmocka_unit_test(test_an_open_warning_marks_the_path_to_its_page),
         cmocka_unit_test(test_unstored_replays_are_shown_on_the_slip_of_the_store),
         cmocka_unit_test(test_a_changed_setting_has_a_seal_on_its_own_page_too),
