@@ -54,18 +54,28 @@ static void stroke(const struct ui_frame *frame, struct spot from, struct spot s
                (const float[2]){ from.x + end.x, from.y + end.y }, width, colour);
 }
 
-/* Returns the colour of the paper's load: from green (no load) over yellow to red (a load that
- * tears the paper). The square root makes differences between low loads visible, because most loads
- * are low. */
+/* Returns the colour of the paper's load: from dark blue (no load) over green and yellow to white
+ * (a load that tears the paper). Brightness rises over the whole range, so that viewers with any
+ * colour vision can read it. The ramp is the one in assets/shaders/poi_paper.frag.glsl. The square
+ * root makes differences between low loads visible, because most loads are low. */
 static uint32_t load_colour(uint8_t load)
 {
-    static const uint8_t colours[3][3] = { { 46, 168, 88 }, { 250, 214, 64 }, { 214, 40, 30 } };
-    const float share = 2.0f * sqrtf(f_clamp(((float)load - 17.0f) / 238.0f, 0.0f, 1.0f));
-    const uint32_t part = share < 1.0f ? 0u : 1u;
+    static const struct {
+        float from, to;    /* Range of the load's square root in which the colour changes. */
+        uint8_t colour[3]; /* Red, green and blue at the end of the range. */
+    } ramp[] = {
+        { 0.05f, 0.36f, { 51, 168, 77 } },
+        { 0.36f, 0.66f, { 250, 209, 41 } },
+        { 0.70f, 1.0f, { 255, 255, 240 } },
+    };
+    static const uint8_t none[3] = { 31, 46, 158 };
+    const float share = sqrtf(f_clamp(((float)load - 17.0f) / 238.0f, 0.0f, 1.0f));
     uint32_t colour = 0;
     for (uint32_t i = 0; i < 3u; i++) {
-        const float level =
-            f_lerp(colours[part][i], colours[part + 1u][i], f_min(share - (float)part, 1.0f));
+        float level = none[i];
+        for (uint32_t k = 0; k < 3u; k++) {
+            level = f_lerp(level, ramp[k].colour[i], f_smoothstep(ramp[k].from, ramp[k].to, share));
+        }
         colour = colour << 8 | (uint32_t)level;
     }
     return colour << 8 | 0xffu;

@@ -557,6 +557,40 @@ static void test_a_tear_adds_its_load_its_picture_and_its_words(void **state)
     }
 }
 
+/* Returns the luminance, [0, 255], of the cells of a tear whose cells all have the load `load`. */
+static float load_luminance(uint8_t load)
+{
+    set_scene(PHASE_RESULT, LANGUAGE_EN, HINT_NONE, 4.0f);
+    set_match(MODE_FESTIVAL, 1, 0);
+    set_tears(1, TEAR_FAST, v3(0.0f, 0.0f, 0.0f));
+    memset(scene.tear[0].load, 0, sizeof scene.tear[0].load);
+    lay_out(sizes[0]);
+    const uint32_t before = batch.quad_count;
+    memset(scene.tear[0].load, load, sizeof scene.tear[0].load);
+    lay_out(sizes[0]);
+    assert_int_equal(batch.quad_count, before + TEAR_CELL_COUNT);
+    for (uint32_t i = 1; i < batch.quad_count; i++) {
+        /* The cells are the longest run of quads with equal colours. */
+        const uint8_t *fill = batch.vertices[i * 4u].fill;
+        if (i + TEAR_CELL_COUNT <= batch.quad_count &&
+            memcmp(fill, batch.vertices[(i + TEAR_CELL_COUNT - 1u) * 4u].fill, 4) == 0 &&
+            memcmp(fill, batch.vertices[(i + TEAR_CELL_COUNT / 2u) * 4u].fill, 4) == 0) {
+            return 0.2126f * fill[0] + 0.7152f * fill[1] + 0.0722f * fill[2];
+        }
+    }
+    fail_msg("the cells of the paper were not found");
+    return 0.0f;
+}
+
+/* A viewer who does not see red and green as different reads the load by its brightness. */
+static void test_a_higher_load_of_the_paper_is_brighter(void **state)
+{
+    (void)state;
+    for (uint32_t load = 17; load + 34u <= 255; load += 34) {
+        assert_true(load_luminance((uint8_t)(load + 34u)) > load_luminance((uint8_t)load) + 1.0f);
+    }
+}
+
 static void test_a_present_swims_into_a_bowl_on_the_result(void **state)
 {
     (void)state;
@@ -730,6 +764,7 @@ int main(void)
         cmocka_unit_test(test_no_texts_overlap_on_any_screen_at_rest),
         cmocka_unit_test(test_every_cause_of_a_tear_fits_the_result),
         cmocka_unit_test(test_a_tear_adds_its_load_its_picture_and_its_words),
+        cmocka_unit_test(test_a_higher_load_of_the_paper_is_brighter),
         cmocka_unit_test(test_a_present_swims_into_a_bowl_on_the_result),
         cmocka_unit_test(test_the_tears_of_several_players_are_shown_in_turn),
         cmocka_unit_test(test_caught_fish_fly_to_the_counter_and_count_there),
