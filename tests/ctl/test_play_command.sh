@@ -78,6 +78,11 @@ check 'replay info reports mode, grade, players and rounds' holds "$work/info.js
 check 'replay info reports the result of the round' eval '[ "$(value "$work/info.json" caught) $(value "$work/info.json" fouls) $(value "$work/info.json" hash)" = \
     "$(value "$work/c.json" "rounds[0].caught") $(value "$work/c.json" "rounds[0].fouls") $(value "$work/c.json" "rounds[0].state_hash")" ]'
 check 'the text of replay info names mode and grade' eval '"$ctl" replay info "$work/won/round-00001.kgr" | grep -q "championship with No. 7 paper"'
+play --bot novice --level easy --json --record "$work/easy" >"$work/c.json"
+"$ctl" replay info --json "$work/easy/round-00001.kgr" >"$work/easy.json"
+"$ctl" replay info --json "$here/../replay/format-8.replay" >"$work/old.json"
+check 'replay info reports the level, and master for a championship and for a recording without levels' eval \
+    '[ "$(value "$work/easy.json" level) $(value "$work/info.json" level) $(value "$work/old.json" level)" = "easy master master" ]'
 
 # ---- Bots from files
 printf 'base=novice\n' >"$work/novice.bot"

@@ -33,6 +33,26 @@ static int scan(struct replay_reader *reader, const char *path, struct replay_to
 
 /* ---- Subcommand info ------------------------------------------------------------------------- */
 
+/* Returns true if a mode with levels was played. Recordings older than format 9 have no levels. */
+static bool has_levels(const struct replay_header *header, const struct replay_totals *totals)
+{
+    bool has = false;
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
+        has |= (totals->modes >> mode & 1u) && rules_of((uint8_t)mode)->has_levels;
+    }
+    return has && config_has_rules(&header->config, 9);
+}
+
+/* Returns the name of the level of players who chose none. The recording contains the choices of
+ * players only as motions of their pois. */
+static const char *level_name(const struct replay_header *header,
+                              const struct replay_totals *totals)
+{
+    const uint8_t level = header->config.level;
+    const bool is_known = level < LEVEL_COUNT && has_levels(header, totals);
+    return rules_of_level(is_known ? level : (uint8_t)LEVEL_MASTER)->name;
+}
+
 static void info_json(const struct replay_header *header, const struct replay_totals *totals)
 {
     const struct core_config *config = &header->config;
@@ -48,9 +68,10 @@ static void info_json(const struct replay_header *header, const struct replay_to
                        table_setup_grade(config, (uint8_t)mode));
         }
     }
-    json_print(&json, "], players: %d, rounds: %u, caught: %u, fouls: %u, hash: %016llx}",
-               __builtin_popcount(totals->players), totals->rounds, totals->caught, totals->fouls,
-               (unsigned long long)totals->hash);
+    json_print(&json,
+               "], level: %s, players: %d, rounds: %u, caught: %u, fouls: %u, hash: %016llx}",
+               level_name(header, totals), __builtin_popcount(totals->players), totals->rounds,
+               totals->caught, totals->fouls, (unsigned long long)totals->hash);
     json_end(&json);
 }
 
@@ -68,10 +89,12 @@ static void info_text(const struct replay_header *header, const struct replay_to
             gap = ", ";
         }
     }
-    printf("%s\nplayers      %d\nrounds       %u\ncaught       %u\nfouls        %u\n"
-           "state hash   %016llx\n",
-           totals->modes ? "" : "nothing", __builtin_popcount(totals->players), totals->rounds,
-           totals->caught, totals->fouls, (unsigned long long)totals->hash);
+    printf("%s\nlevel        %s%s\nplayers      %d\nrounds       %u\ncaught       %u\n"
+           "fouls        %u\nstate hash   %016llx\n",
+           totals->modes ? "" : "nothing", level_name(header, totals),
+           has_levels(header, totals) ? ", unless a player chose another" : "",
+           __builtin_popcount(totals->players), totals->rounds, totals->caught, totals->fouls,
+           (unsigned long long)totals->hash);
 }
 
 static enum exit_code print_replay_info(const char *path, bool as_json)
