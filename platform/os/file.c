@@ -283,6 +283,24 @@ int file_rename_durable(const char *from, const char *to)
     return rename(from, to) != 0 ? -errno : file_sync_parent(to);
 }
 
+int file_rename_new(const char *from, const char *to)
+{
+    struct stat about;
+    if (renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0) {
+        return 0;
+    }
+    if (errno != EINVAL && errno != ENOSYS) {
+        return -errno;
+    }
+    /* The file system or the kernel does not support the flag. The data folder is locked, so no
+     * other kiosk creates `to` between the check and the rename. */
+    const int error = lstat(to, &about) == 0 ? EEXIST : errno;
+    if (error != ENOENT) {
+        return -error;
+    }
+    return rename(from, to) != 0 ? -errno : 0;
+}
+
 /* Creates the temporary file of `path`, whose name is written to `part`. An existing file with this
  * name is deleted first. The existing file may be left from a power cut, or belong to another
  * program. A link is never followed. Returns a descriptor or a negative errno. */

@@ -140,6 +140,10 @@ int file_replace(const char *path, const void *bytes, size_t size, int flags);
 /* Renames a file, and blocks until the new name is on disk. Returns 0 or a negative errno. */
 int file_rename_durable(const char *from, const char *to);
 
+/* Renames a file, but never replaces an existing file. Returns 0 or a negative errno: -EEXIST if
+ * `to` exists. The new name is not synced. */
+int file_rename_new(const char *from, const char *to);
+
 /* Syncs the folder that contains `path`. A new file name survives a power cut only after this sync.
  * Returns 0 or a negative errno. */
 int file_sync_parent(const char *path);

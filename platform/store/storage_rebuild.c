@@ -40,9 +40,10 @@ static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
 /* ---- Quarantine ---------------------------------------------------------------------------- */
 
 /* Returns the number for the name of the next quarantined file or marker file: the highest number
- * in use plus one. The numbers of marker files count too. The operator may have deleted a
- * quarantined file after acknowledging it, but not the marker file of the acknowledgement
- * (STORAGE_SEEN_SUFFIX). A new file with the same number would then count as acknowledged. */
+ * in use plus one. Returns 0 if the folder cannot be listed. The numbers of marker files count
+ * too. The operator may have deleted a quarantined file after acknowledging it, but not the marker
+ * file of the acknowledgement (STORAGE_SEEN_SUFFIX). A new file with the same number would then
+ * count as acknowledged. */
 static unsigned next_number(const struct storage *storage)
 {
     static const char *const kinds[] = { STORAGE_QUARANTINE_SUFFIX, STORAGE_MISSING_SUFFIX,
@@ -50,6 +51,7 @@ static unsigned next_number(const struct storage *storage)
     DIR *const folder = opendir(storage->dir);
     const struct dirent *entry;
     unsigned newest = 0;
+    errno = 0;
     while (folder && (entry = readdir(folder))) {
         for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
             const char *at = strncmp(entry->d_name, STORAGE_FILE, sizeof STORAGE_FILE - 1u) == 0
@@ -59,37 +61,45 @@ static unsigned next_number(const struct storage *storage)
             newest = number > newest && number < NUMBER_MAX ? (unsigned)number : newest;
         }
     }
+    const bool is_complete = folder && errno == 0;
     if (folder) {
         closedir(folder);
     }
-    return newest + 1u;
+    return is_complete ? newest + 1u : 0u;
 }
 
 int storage_quarantine_other(struct storage *storage, const char *suffix)
 {
     CORE_ASSERT(suffix[0] == '.' || suffix[0] == '-');
-    char number[40];
-    snprintf(number, sizeof number, STORAGE_OTHER_SUFFIX "%u", next_number(storage));
-    return file_rename_durable(storage_path(storage, suffix, "").text,
-                               storage_path(storage, suffix, number).text) == 0
-               ? 0
-               : -1;
+    char text[40];
+    const unsigned number = next_number(storage);
+    snprintf(text, sizeof text, STORAGE_OTHER_SUFFIX "%u", number);
+    const struct storage_path to = storage_path(storage, suffix, text);
+    const int error = number == 0
+                          ? -EIO
+                          : file_rename_new(storage_path(storage, suffix, "").text, to.text);
+    errno = -error;
+    return error == 0 && file_sync_parent(to.text) == 0 ? 0 : -1;
 }
 
 /* Renames the damaged database first and then its log and its journal. SQLite would apply a log or
- * journal with the old name to the new database. Returns true on success. */
+ * journal with the old name to the new database. Returns true on success. Returns false if `number`
+ * is 0, or if a file would be replaced. */
 static bool quarantine_database(struct storage *storage, unsigned number)
 {
     char suffix[40];
+    if (number == 0) {
+        return false;
+    }
     snprintf(suffix, sizeof suffix, STORAGE_QUARANTINE_SUFFIX "%u", number);
     if (storage_has_path(storage->path) &&
-        rename(storage->path, storage_path(storage, suffix, "").text) != 0) {
+        file_rename_new(storage->path, storage_path(storage, suffix, "").text) != 0) {
         return false;
     }
     for (size_t i = 0; i < SUFFIX_COUNT; i++) {
-        if (rename(storage_path(storage, suffixes[i], "").text,
-                   storage_path(storage, suffix, suffixes[i]).text) != 0 &&
-            errno != ENOENT) {
+        const int error = file_rename_new(storage_path(storage, suffixes[i], "").text,
+                                          storage_path(storage, suffix, suffixes[i]).text);
+        if (error != 0 && error != -ENOENT) {
             return false;
         }
     }
@@ -196,6 +206,9 @@ int storage_rebuild(struct storage *storage, bool is_missing)
     CORE_ASSERT(!storage->how.vfs);
     const unsigned number = next_number(storage);
     bool uses_backup;
+    if (number == 0) {
+        return SQLITE_CANTOPEN;
+    }
     const int code = make_new(storage, is_missing, number, &uses_backup);
     if (code != SQLITE_OK) {
         return code;
@@ -244,6 +257,7 @@ bool storage_read_remnants(struct storage *storage, int refusal)
         ledger_file_close(file);
     }
     file->refusal = refusal;
+    file->is_suspect = true; /* Entries of the mirror may exist only in the kernel's cache. */
     file->content.has_read = true;
     salvage_into(storage, file);
     if (file->content.memory.ledger.last_id == 0) {

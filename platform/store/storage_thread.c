@@ -251,9 +251,17 @@ static void drain(struct storage *storage)
 
 /* ---- Backup -------------------------------------------------------------------------------- */
 
-/* Advances the backup in steps while no entry waits and the database is at its path. Copying a
- * large database takes longer than CHECK_MS, so the path is checked before each step. After a
- * failure the next backup is started one hour later. */
+/* Returns true if the backup must be aborted: the store is being closed, or the open database is no
+ * longer at its path, which must be reported within one second. */
+static bool must_abort_backup(void *context)
+{
+    struct storage *storage = context;
+    return atomic_load(&storage->stop) || storage_has_moved(storage);
+}
+
+/* Advances the backup in steps while no entry waits and the database is at its path. Copying and
+ * validating a large database takes longer than CHECK_MS, so the path is also checked before each
+ * step and during the validation. After a failure the next backup is started one hour later. */
 static void back_up(struct storage *storage)
 {
     const int64_t now_s = storage_now_ms() / 1000;
@@ -273,12 +281,17 @@ static void back_up(struct storage *storage)
                    ? SQLITE_CORRUPT
                    : ledger_backup_begin(&storage->backup, &storage->file,
                                          storage_path(storage, STORAGE_BACKUP_SUFFIX, "").text);
+        storage->backup.is_cancelled = must_abort_backup;
+        storage->backup.context = storage;
     }
     while (code == SQLITE_OK && storage->backup.copy && storage_unwritten(storage) == 0 &&
-           !atomic_load(&storage->stop) && !storage_has_moved(storage)) {
+           !must_abort_backup(storage)) {
         code = ledger_backup_step(&storage->backup);
     }
-    if (code != SQLITE_OK && code != SQLITE_DONE && code != SQLITE_BUSY) {
+    if (code == SQLITE_INTERRUPT) {
+        /* An aborted backup is started again when the database is back at its path. */
+        storage->backup_due_s = 0;
+    } else if (code != SQLITE_OK && code != SQLITE_DONE && code != SQLITE_BUSY) {
         atomic_fetch_add(&storage->refused, 1);
     }
 }

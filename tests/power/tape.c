@@ -404,14 +404,14 @@ int unlink(const char *path)
     return result;
 }
 
-int rename(const char *from, const char *to)
+static int note_rename(const char *from, const char *to, unsigned flags)
 {
     if (own_name(to) && tape_planned_errno(FAULT_RENAME)) {
         return -1;
     }
     pthread_mutex_lock(&pencil);
     const char *old = own_name(from), *new = own_name(to);
-    const int result = (int)syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0);
+    const int result = (int)syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, flags);
     if (old && new && result == 0) {
         struct tape_op *op = add(TAPE_RENAME, *find(old));
         snprintf(op->name, TAPE_NAME_SIZE, "%s", old);
@@ -421,4 +421,16 @@ int rename(const char *from, const char *to)
     }
     pthread_mutex_unlock(&pencil);
     return result;
+}
+
+int rename(const char *from, const char *to)
+{
+    return note_rename(from, to, 0);
+}
+
+/* Kingyo calls renameat2() only with paths that do not depend on the folders. */
+int renameat2(int from_folder, const char *from, int to_folder, const char *to, unsigned flags)
+{
+    (void)from_folder, (void)to_folder;
+    return note_rename(from, to, flags);
 }

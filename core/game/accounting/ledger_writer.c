@@ -39,7 +39,11 @@ static bool has_no_store(const struct ledger *ledger)
  * entries, but only once: later entries are kept in the ring buffer while the store is not healthy.
  * In recordings of formats before 9 the function does this each time the store becomes healthy.
  * health_log.c then logs the current balance, which becomes `committed` when that entry is on disk.
- * If `input` reports an older saved id, the report is ignored, because saved entries stay saved. */
+ * If `input` reports an older saved id, the report is ignored, because saved entries stay saved.
+ *
+ * If the store has read entries that may not be on disk, it is not healthy and `input` reports the
+ * saved id 0. No credit or ticket then counts as saved until health_log.c has logged the balance in
+ * the same way. */
 void ledger_tick(struct ledger *ledger, const struct core_config *config, const struct input *input)
 {
     const bool is_well = input->store_well != 0;
@@ -49,6 +53,10 @@ void ledger_tick(struct ledger *ledger, const struct core_config *config, const 
         ledger->store_came_late = config_has_rules(config, 9);
     }
     ledger->is_healthy = (uint8_t)is_well;
+    if (config_has_rules(config, 10) && !has_no_store(ledger) && !is_well &&
+        input->record_saved_id == 0 && ledger->saved_id > 0) {
+        ledger->committed = (struct balance){ 0 };
+    }
     const uint32_t ahead = input->record_saved_id - ledger->saved_id;
     if (ahead != 0 && ahead <= unsaved_entry_count(ledger)) {
         ledger->saved_id = input->record_saved_id;

@@ -15,6 +15,12 @@
 #include "platform/store/sqlite/sql.h"
 
 #define PAGES_A_STEP 64
+/* Number of copied pages after which the copy is synced, so that no single sync has to write the
+ * whole copy. A slow memory card writes 2 MiB in less than a second. */
+#define PAGES_A_SYNC 512
+/* Number of SQLite instructions between two calls of `is_cancelled`. They take less than a
+ * millisecond. */
+#define CANCEL_INSTRUCTIONS 4000
 
 static void name_part(const struct ledger_backup *backup, char out[LEDGER_PATH_SIZE])
 {
@@ -85,24 +91,60 @@ static int remove_old_logs(const struct ledger_backup *backup)
     return code;
 }
 
+/* Syncs the copied pages after every PAGES_A_SYNC pages. Returns an SQLite code. */
+static int sync_copied_pages(const struct ledger_backup *backup)
+{
+    sqlite3_file *to = NULL;
+    const int remaining = sqlite3_backup_remaining(backup->copy);
+    const int done = sqlite3_backup_pagecount(backup->copy) - remaining;
+    if (done % PAGES_A_SYNC >= PAGES_A_STEP) {
+        return SQLITE_OK;
+    }
+    const int code = sqlite3_file_control(backup->to, "main", SQLITE_FCNTL_FILE_POINTER, &to);
+    return code == SQLITE_OK && to && to->pMethods ? to->pMethods->xSync(to, SQLITE_SYNC_NORMAL)
+                                                   : code;
+}
+
+/* Progress handler of SQLite. Returns 1 if the copy must be aborted, otherwise 0. */
+static int abort_if_cancelled(void *context)
+{
+    const struct ledger_backup *backup = context;
+    return backup->is_cancelled(backup->context);
+}
+
+/* Validates the complete copy like a database, because a damaged copy must not replace the previous
+ * backup. Returns an SQLite code. */
+static int check_copy(struct ledger_backup *backup)
+{
+    if (!backup->is_cancelled) {
+        return ledger_check(backup->to);
+    }
+    sqlite3_progress_handler(backup->to, CANCEL_INSTRUCTIONS, abort_if_cancelled, backup);
+    const int code = ledger_check(backup->to);
+    sqlite3_progress_handler(backup->to, 0, NULL, NULL);
+    return backup->is_cancelled(backup->context) ? SQLITE_INTERRUPT : code;
+}
+
 int ledger_backup_step(struct ledger_backup *backup)
 {
     CORE_ASSERT(backup->copy);
     int code = sqlite3_backup_step(backup->copy, PAGES_A_STEP);
-    if (code == SQLITE_OK || code == SQLITE_BUSY || code == SQLITE_LOCKED) {
-        return code == SQLITE_OK ? SQLITE_OK : SQLITE_BUSY;
+    if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
+        return SQLITE_BUSY;
+    }
+    code = code == SQLITE_OK ? sync_copied_pages(backup) : code;
+    if (code == SQLITE_OK) {
+        return SQLITE_OK;
     }
     if (code == SQLITE_DONE) {
-        /* Converts the copy to a file that can be read without a write-ahead log. The copy is
-         * validated like a database, because a damaged copy must not replace the previous
-         * backup. */
+        /* Converts the copy to a file that can be read without a write-ahead log. */
         char name[LEDGER_PATH_SIZE];
         name_part(backup, name);
         code = sqlite3_backup_finish(backup->copy);
         backup->copy = NULL;
         code = code == SQLITE_OK ? sql_run(backup->to, "PRAGMA journal_mode = DELETE") : code;
         code = code == SQLITE_OK ? ledger_mark(backup->to, backup->is_marked) : code;
-        code = code == SQLITE_OK ? ledger_check(backup->to) : code;
+        code = code == SQLITE_OK ? check_copy(backup) : code;
         if (code == SQLITE_OK) {
             sqlite3_close(backup->to);
             backup->to = NULL;

@@ -34,6 +34,11 @@ struct ledger_backup {
     char path[LEDGER_PATH_SIZE];
     /* True if the copy gets the mark LEDGER_COPY_MARK. Set after ledger_backup_begin(). */
     bool is_marked;
+    /* Returns true if the copy must be aborted. Called repeatedly while a complete copy is
+     * validated, which takes seconds for a large database. Null means that the copy is never
+     * aborted. Set with `context` after ledger_backup_begin(). */
+    bool (*is_cancelled)(void *context);
+    void *context; /* Argument of `is_cancelled`. */
 };
 
 /* Starts a copy of the open database `from` to `path`. Returns an SQLite code. After an error no
@@ -43,7 +48,7 @@ int ledger_backup_begin(struct ledger_backup *backup, struct ledger_file *from, 
 /* Copies the next 256 KiB of the database. Returns SQLITE_OK if a part of the database remains to
  * be copied. Returns SQLITE_BUSY if the caller must retry later. Returns SQLITE_DONE if the
  * complete copy is on disk at its path. After any other code the copy is aborted and the file at
- * the path is unchanged. */
+ * the path is unchanged. The code is SQLITE_INTERRUPT if `is_cancelled` returned true. */
 int ledger_backup_step(struct ledger_backup *backup);
 
 /* Aborts the copy and deletes its temporary file. */

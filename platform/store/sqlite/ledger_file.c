@@ -102,7 +102,7 @@ static int log_used_bytes(sqlite3_file *log, sqlite3_int64 *used)
     const sqlite3_int64 step = FRAME_HEADER + (sqlite3_int64)page;
     while (code == SQLITE_OK && page > 0 && size - *used >= step) {
         code = log->pMethods->xRead(log, frame, FRAME_HEADER, *used);
-        if (memcmp(&frame[8], &header[16], SALT) != 0) {
+        if (code != SQLITE_OK || memcmp(&frame[8], &header[16], SALT) != 0) {
             break;
         }
         *used += step;

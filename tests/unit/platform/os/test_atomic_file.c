@@ -259,6 +259,23 @@ static void test_a_link_keeps_its_target(void **state)
     unlink(path);
 }
 
+static void test_a_rename_replaces_no_file(void **state)
+{
+    (void)state;
+    char other[80];
+    snprintf(other, sizeof other, "%s.other", path);
+    assert_int_equal(file_replace(path, "new", 3, 0), 0);
+    assert_int_equal(symlink("nowhere", other), 0);
+    assert_int_equal(file_rename_new(path, other), -EEXIST);
+    assert_true(exists(path));
+    assert_int_equal(unlink(other), 0);
+    assert_int_equal(file_rename_new(path, other), 0);
+    assert_false(exists(path));
+    assert_true(exists(other));
+    assert_int_equal(file_rename_new(path, other), -ENOENT);
+    unlink(other);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -271,6 +288,7 @@ int main(void)
         cmocka_unit_test(test_a_pipe_receives_the_data_and_is_not_replaced),
         cmocka_unit_test(test_a_device_is_never_replaced),
         cmocka_unit_test(test_a_link_keeps_its_target),
+        cmocka_unit_test(test_a_rename_replaces_no_file),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

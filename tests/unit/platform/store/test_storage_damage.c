@@ -7,6 +7,9 @@
 
 #include <cmocka.h>
 
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +18,19 @@
 
 #include "platform/store/storage.h"
 #include "tests/unit/support/storage_fixture.h"
+
+/* True if the replaced function opendir() fails. */
+static bool cannot_list;
+
+DIR *opendir(const char *path)
+{
+    if (cannot_list) {
+        errno = EMFILE;
+        return NULL;
+    }
+    const int handle = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    return handle < 0 ? NULL : fdopendir(handle);
+}
 
 static void test_readable_entries_of_a_damaged_file_are_recovered(void **state)
 {
@@ -256,6 +272,33 @@ static void test_a_file_whose_status_cannot_be_read_is_not_treated_as_missing(vo
     assert_int_equal(load_state(fixture)->ledger.last_id, 8);
 }
 
+/* A number that is in use must not be chosen, because the file with this number would be replaced.
+ */
+static void test_a_folder_that_cannot_be_listed_replaces_no_quarantined_file(void **state)
+{
+    struct fixture *fixture = *state;
+    char aside[160];
+    struct stat about;
+    fill_and_remove_mirror(fixture);
+    path_beside(fixture, STORAGE_QUARANTINE_SUFFIX "1", aside);
+    write_file(aside, "older", 5);
+    damage_file(fixture, 0);
+    fixture->device.ledger.ops->close(fixture->device.ledger.self);
+    fixture->storage = (struct storage){ .dir = fixture->dir, .without_thread = true };
+    cannot_list = true;
+    open_store(fixture);
+    cannot_list = false;
+    assert_int_equal(stat(aside, &about), 0);
+    assert_int_equal(about.st_size, 5);
+    assert_int_equal(fixture->device.ledger.ops->is_healthy(fixture->device.ledger.self), 0);
+    /* Closing the store retries, and the folder can be listed again. */
+    fixture->device.ledger.ops->close(fixture->device.ledger.self);
+    assert_int_equal(stat(aside, &about), 0);
+    assert_int_equal(about.st_size, 5);
+    path_beside(fixture, STORAGE_QUARANTINE_SUFFIX "2", aside);
+    assert_int_equal(access(aside, F_OK), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -271,6 +314,7 @@ int main(void)
         IN_A_FOLDER(test_logs_beside_the_previous_backup_are_deleted),
         IN_A_FOLDER(test_a_valid_backup_without_entries_is_used_and_not_set_aside),
         IN_A_FOLDER(test_a_missing_file_is_restored_from_its_backup),
+        IN_A_FOLDER(test_a_folder_that_cannot_be_listed_replaces_no_quarantined_file),
         IN_A_FOLDER(test_a_folder_in_place_of_the_database_is_quarantined),
         IN_A_FOLDER(test_a_file_whose_status_cannot_be_read_is_not_treated_as_missing),
     };

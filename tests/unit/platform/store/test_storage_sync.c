@@ -21,7 +21,7 @@
 
 #include "platform/store/storage.h"
 
-static char dir[64], file[96], wal[96], tail[96];
+static char dir[64], file[96], wal[96], tail[96], part[128];
 static struct storage storage;
 static struct hal_storage device;
 
@@ -30,8 +30,8 @@ static struct hal_storage device;
 static const char *failing; /* Path of the file whose syncs fail. NULL means no file, and "" means
                                every file. */
 static uint32_t fails_left; /* Number of further syncs that will fail. */
-static const char *moving;  /* Path to which the next sync of the log renames the database. NULL
-                               means no renaming. */
+static const char *moving;  /* Path to which the next sync of the log or of a new backup renames the
+                               database. NULL means no renaming. */
 /* Path to which the next write to the file `watched` renames the database. NULL means no
  * renaming. */
 static const char *moving_at_write;
@@ -47,6 +47,10 @@ static bool is_of(int fd, const char *path)
 
 static int sync_or_fail(int fd)
 {
+    if (moving && is_of(fd, part)) {
+        assert_int_equal(rename(file, moving), 0);
+        moving = NULL;
+    }
     if (moving && is_of(fd, wal)) {
         assert_int_equal(rename(file, moving), 0);
         moving = NULL;
@@ -111,6 +115,7 @@ static int set_up(void **state)
     snprintf(file, sizeof file, "%s/" STORAGE_FILE, dir);
     snprintf(wal, sizeof wal, "%s/" STORAGE_FILE "-wal", dir);
     snprintf(tail, sizeof tail, "%s/" STORAGE_FILE STORAGE_MIRROR_SUFFIX, dir);
+    snprintf(part, sizeof part, "%s/" STORAGE_FILE STORAGE_BACKUP_SUFFIX LEDGER_PART_SUFFIX, dir);
     storage = (struct storage){ .dir = dir, .without_thread = true };
     device = storage_device(&storage);
     fail_syncs(NULL, 0);
@@ -314,6 +319,32 @@ static void test_an_entry_is_written_only_after_a_suspect_log_is_rewritten(void 
     sqlite3_close(other);
 }
 
+/* The validation of a large backup takes seconds. The store must not wait for its end before the
+ * loss is reported. */
+static void test_a_backup_is_aborted_if_the_database_moves_before_the_validation(void **state)
+{
+    (void)state;
+    char away[96], backup[96];
+    snprintf(away, sizeof away, "%s/away", dir);
+    snprintf(backup, sizeof backup, "%s/" STORAGE_FILE STORAGE_BACKUP_SUFFIX, dir);
+    drop_coins(1, 5);
+    assert_int_equal(access(backup, F_OK), 0);
+    assert_int_equal(unlink(backup), 0);
+    storage.backup_due_s = 0;
+    moving = away;
+    storage_work(&storage);
+    assert_null(moving); /* The sync function above has renamed the database during the backup. */
+    assert_int_not_equal(access(backup, F_OK), 0);
+    assert_int_not_equal(access(part, F_OK), 0);
+    storage_work(&storage);
+    assert_false(device.ledger.ops->is_healthy(device.ledger.self));
+    assert_int_equal(rename(away, file), 0);
+    storage_work(&storage);
+    storage_work(&storage);
+    assert_true(device.ledger.ops->is_healthy(device.ledger.self));
+    assert_int_equal(access(backup, F_OK), 0);
+}
+
 static void test_a_database_that_moves_during_a_write_acknowledges_nothing(void **state)
 {
     (void)state;
@@ -337,9 +368,8 @@ static void test_a_database_that_moves_during_a_backup_is_detected_after_one_ste
 {
     (void)state;
     static const uint8_t replay[2u << 20];
-    char away[96], part[160];
+    char away[96];
     snprintf(away, sizeof away, "%s/away", dir);
-    snprintf(part, sizeof part, "%s" STORAGE_BACKUP_SUFFIX LEDGER_PART_SUFFIX, file);
     drop_coins(1, 1);
     assert_int_equal(ledger_file_put_replay(&storage.file, 1, replay, sizeof replay), SQLITE_OK);
     storage.backup_due_s = 0;
@@ -390,6 +420,7 @@ int main(void)
         TEST(test_an_entry_is_written_only_after_a_suspect_log_is_rewritten),
         TEST(test_a_database_that_moves_during_a_write_acknowledges_nothing),
         TEST(test_a_database_that_moves_during_a_backup_is_detected_after_one_step),
+        TEST(test_a_backup_is_aborted_if_the_database_moves_before_the_validation),
         TEST(test_a_withdrawn_name_is_rewritten_after_a_failed_sync_of_the_mirror),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -337,6 +337,40 @@ static void test_a_new_session_starts_with_the_present_balance(void **state)
     assert_int_equal(start->last_id, output.entry_id);
 }
 
+/* The store has read its log, but cannot write the log again, for example because another program
+ * has locked the database. The entries of the log may then not be on disk. */
+static void test_loaded_credits_are_playable_only_if_they_are_on_disk(void **state)
+{
+    (void)state;
+    const struct ledger_start start = { .last_id = 9,
+                                        .boots = 2,
+                                        .balance = { .paid = 2, .tickets = 3 } };
+    open_at(PRICE, start);
+    assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 2);
+
+    const struct core_config config = core.config;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    store_is_late = 1;
+    input.record_saved_id = 0;
+    input.store_well = 0;
+    output.tickets = 0;
+    steps(240);
+    assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 0);
+    assert_true(core.game.accounts.credit.warnings & WARN_STORE);
+    press(INPUT_START);
+    dip();
+    steps(2u * CREDIT_AWAIT_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    assert_int_equal(output.tickets, 0);
+
+    store_is_late = 0;
+    steps(2);
+    assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 2);
+    assert_int_equal(balance()->paid, 2);
+    steps(10);
+    assert_int_equal(output.tickets, 3);
+}
+
 int main(void)
 {
 #define TEST(test) cmocka_unit_test_setup_teardown(test, open_paid, close_stand)
@@ -359,6 +393,7 @@ int main(void)
         TEST(test_units_from_before_a_power_cut_count_toward_no_unconfigured_bonus),
         TEST(test_a_recording_of_format_7_keeps_its_count_toward_a_bonus),
         TEST(test_a_new_session_starts_with_the_present_balance),
+        TEST(test_loaded_credits_are_playable_only_if_they_are_on_disk),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
