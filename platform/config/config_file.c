@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/base/panic.h"
@@ -194,19 +195,38 @@ static void config_file_read_lines(struct reading *reading, FILE *file)
     }
 }
 
-int config_file_read(struct options *options, const char *path, void (*warn)(const char *line))
+/* Reads the complete file into `bytes`. Returns the number of bytes or a negative errno. */
+static int read_all(const char *path, char bytes[CONFIG_SIZE_MAX])
 {
-    struct reading reading = { .options = options, .path = path, .warn = warn, .section = "" };
     FILE *file = file_open(path, CONFIG_SIZE_MAX);
     if (!file) {
         return -errno;
     }
     errno = 0;
-    options->is_file = true;
-    config_file_read_lines(&reading, file);
-    options->is_file = false;
-    const int error = ferror(file) ? (errno ? -errno : -EIO) : 0;
+    const size_t size = fread(bytes, 1, CONFIG_SIZE_MAX, file);
+    /* A file in /proc may have more bytes than its size, so the end of the file is read too. */
+    const int more = size == CONFIG_SIZE_MAX ? fgetc(file) : EOF;
+    const int error = ferror(file) ? (errno ? -errno : -EIO) : more != EOF ? -EFBIG : 0;
     fclose(file);
+    return error != 0 ? error : (int)size;
+}
+
+/* The file is read completely before its first line is validated, so that a file that cannot be
+ * read gives one error and no warnings. */
+int config_file_read(struct options *options, const char *path, void (*warn)(const char *line))
+{
+    struct reading reading = { .options = options, .path = path, .warn = warn, .section = "" };
+    char *bytes = malloc(CONFIG_SIZE_MAX);
+    const int size = bytes ? read_all(path, bytes) : -ENOMEM;
+    FILE *file = size >= 0 ? fmemopen(bytes, (size_t)size, "r") : NULL;
+    const int error = size < 0 ? size : !file ? -errno : 0;
+    if (file) {
+        options->is_file = true;
+        config_file_read_lines(&reading, file);
+        options->is_file = false;
+        fclose(file);
+    }
+    free(bytes);
     return error;
 }
 

@@ -75,9 +75,8 @@ int storage_quarantine_other(struct storage *storage, const char *suffix)
     const unsigned number = next_number(storage);
     snprintf(text, sizeof text, STORAGE_OTHER_SUFFIX "%u", number);
     const struct storage_path to = storage_path(storage, suffix, text);
-    const int error = number == 0
-                          ? -EIO
-                          : file_rename_new(storage_path(storage, suffix, "").text, to.text);
+    const int error =
+        number == 0 ? -EIO : file_rename_new(storage_path(storage, suffix, "").text, to.text);
     errno = -error;
     return error == 0 && file_sync_parent(to.text) == 0 ? 0 : -1;
 }
