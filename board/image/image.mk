@@ -2,13 +2,24 @@
 
 IMAGE := $(BUILD)/image/$(BOARD)
 
-## package/image: Build a bootable Debian disk image; BOARD=vm is for a virtual machine
+## package/image: Build a bootable Debian disk image; BOARD=vm; UPDATE_KEY=FILE.pub
 image:
 	@board/setup.sh vm
 	@test -f board/$(BOARD)/image.conf || { \
 	    echo 'image: no board/$(BOARD)/image.conf; BOARD is one of:' \
 	    $(patsubst board/%/image.conf,%,$(wildcard board/*/image.conf)) >&2; exit 2; }
 	+@$(MAKE) --no-print-directory BOARD=desktop -j$(JOBS) deb
-	@BUILD=$(BUILD) IMAGE=$(IMAGE) board/image/image.sh $(BOARD)
+	@BUILD=$(BUILD) IMAGE=$(IMAGE) UPDATE_KEY='$(UPDATE_KEY)' board/image/image.sh $(BOARD)
 
-.PHONY: image
+# The package has the system of the last `make image`, which must have had the matching UPDATE_KEY.
+## package/update: Sign the last image as an update for a USB stick; SIGN_KEY=FILE
+update:
+	@board/setup.sh test
+	@test -f '$(SIGN_KEY)' || { echo 'update: SIGN_KEY names no secret key of minisign' >&2; exit 2; }
+	@test -f $(IMAGE)/root.sqfs || { echo 'update: no image; make image first' >&2; exit 2; }
+	@board/image/update/make_package.sh $(IMAGE)/root.sqfs \
+	    "$$(sed -n 's/^board //p' $(IMAGE)/update-version)" "$$(sed -n 's/^version //p' $(IMAGE)/update-version)" \
+	    "$$(sed -n 's/^name //p' $(IMAGE)/update-version)" '$(SIGN_KEY)' $(IMAGE)/kingyo-update
+	@echo '  folder $(IMAGE)/kingyo-update; copy it to a USB stick (FAT32 or exFAT)'
+
+.PHONY: image update

@@ -48,7 +48,29 @@ settle() { # FOLDER
     # Without a data partition, the kiosk finds this folder instead, which it cannot write.
     install -d -m 750 "$root/var/lib/kingyo"
     chown "$(owner "$root")" "$root/var/lib/kingyo"
-    install_modules "$root" "$boot_modules $modules"
+    install -d "$root/usr/lib/modules" # The initramfs mounts the modules of its kernel here.
+    install_updates "$root"
+}
+
+# Installs the tools that start, test and replace the system of a root slot (UPDATE.md).
+install_updates() { # FOLDER
+    local root=$1
+    install -d "$root/usr/lib/kingyo"
+    install -m 644 "$here/slots/slots.sh" "$root/usr/lib/kingyo/slots.sh"
+    install -m 755 "$here/slots/mark-good" "$root/usr/lib/kingyo/mark-good"
+    install -m 755 "$here/update/kingyo-update" "$root/usr/lib/kingyo/kingyo-update"
+    install -m 644 "$here/update/package.sh" "$root/usr/lib/kingyo/package.sh"
+    printf 'board %s\nversion %s\nname %s\n' "$board" "$update_version" "$update_name" >"$IMAGE/update-version"
+    install -m 644 "$IMAGE/update-version" "$root/usr/lib/kingyo/update-version"
+    ln -s /etc/systemd/system/kingyo-slot-good.service "$root/etc/systemd/system/multi-user.target.wants/"
+    # Without a key the image accepts no update, and the menu has no update page.
+    if [ -n "$UPDATE_KEY" ]; then
+        install -m 644 "$UPDATE_KEY" "$root/usr/lib/kingyo/update.pub"
+        ln -s /etc/systemd/system/kingyo-update.path "$root/etc/systemd/system/multi-user.target.wants/"
+        install -d "$root/etc/tmpfiles.d"
+        printf 'd /run/kingyo-update 0755 root root -\nf /run/kingyo-update/status 0644 root root - closed\n' \
+            >"$root/etc/tmpfiles.d/kingyo-update.conf"
+    fi
 }
 
 # Removes the tools that install software, because the root partition is read-only.
@@ -81,22 +103,35 @@ make_data() {
     mkfs.ext4 -q -F -L kingyo-data -m 0 -E "root_owner=$kiosk_owner,lazy_itable_init=0,lazy_journal_init=0" "$IMAGE/data.ext4"
 }
 
+# Makes the state of a new disk (slots/slots.sh): the system of slot a is good.
+make_slots() {
+    rm -f "$IMAGE/slots"
+    truncate -s 1M "$IMAGE/slots"
+    (. "$here/slots/slots.sh" && slots_write "$IMAGE/slots" a - 0)
+}
+
+# Slot b stays empty until the first update. Both slots have room for a system that is half as large again.
 make_disk() {
     local disk=$IMAGE/kingyo.img.new root_size at=1
     root_size=$((($(stat -c %s "$IMAGE/root.sqfs") + 1048575) / 1048576))
+    slot_size=${slot_size:-$((root_size * 3 / 2))}
+    [ "$root_size" -le "$slot_size" ] || { echo "image: the root has $root_size MiB, a slot only $slot_size" >&2; return 1; }
     rm -f "$disk"
-    truncate -s $((boot_size + root_size + data_size + 2))M "$disk"
+    truncate -s $((boot_size + 2 * slot_size + 1 + data_size + 2))M "$disk"
     sfdisk -q "$disk" <<END
 label: gpt
 start=${at}M, size=${boot_size}M, type=uefi, name=kingyo-boot
-start=$((at + boot_size))M, size=${root_size}M, type=linux, name=kingyo-root, attrs=60
-start=$((at + boot_size + root_size))M, size=${data_size}M, type=linux, name=kingyo-data
+start=$((at + boot_size))M, size=${slot_size}M, type=linux, name=kingyo-root-a, attrs=60
+start=$((at + boot_size + slot_size))M, size=${slot_size}M, type=linux, name=kingyo-root-b, attrs=60
+start=$((at + boot_size + 2 * slot_size))M, size=1M, type=linux, name=kingyo-slots
+start=$((at + boot_size + 2 * slot_size + 1))M, size=${data_size}M, type=linux, name=kingyo-data
 END
     put "$IMAGE/boot.fat" $at
     put "$IMAGE/root.sqfs" $((at + boot_size))
-    put "$IMAGE/data.ext4" $((at + boot_size + root_size))
+    put "$IMAGE/slots" $((at + boot_size + 2 * slot_size))
+    put "$IMAGE/data.ext4" $((at + boot_size + 2 * slot_size + 1))
     mv "$disk" "$IMAGE/kingyo.img"
-    rm -f "$IMAGE/boot.fat" "$IMAGE/data.ext4"
+    rm -f "$IMAGE/boot.fat" "$IMAGE/slots" "$IMAGE/data.ext4"
 }
 
 put() { # FILE MIB
@@ -104,12 +139,14 @@ put() { # FILE MIB
 }
 
 needs
+[ -z "$UPDATE_KEY" ] || grep -qs '^RW' "$UPDATE_KEY" || { echo "image: $UPDATE_KEY is no public key of minisign" >&2; exit 1; }
 mkdir -p "$IMAGE"
 "$here/root.sh" "$board"
 "$here/boot.sh" "$board"
 step "the stall, onto a root that cannot be written"
 make_root
 make_data
+make_slots
 step "the disk"
 make_disk
 printf '%s/kingyo.img: %d MiB, of which root %d; %s s\n' "$IMAGE" "$(($(stat -c %s "$IMAGE/kingyo.img") >> 20))" \

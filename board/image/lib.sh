@@ -13,8 +13,12 @@ version=$(sed -n 's/.*define KINGYO_VERSION "\(.*\)".*/\1/p' "$top/core/core.h")
 mkdir -p "$IMAGE" "$BUILD/image/$suite-$arch"
 IMAGE=$(cd "$IMAGE" && pwd) cache=$(cd "$BUILD/image/$suite-$arch" && pwd)
 kernel_root=$cache/kernel
+usb_disk_modules='usb-storage uas sd_mod vfat exfat nls_cp437 nls_ascii nls_iso8859-1 nls_utf8'
 days_max=7 # Maximum age of a download in days, because mirrors remove old packages.
 made_s=$(git -C "$top" log -1 --format=%ct 2>/dev/null || date +%s)
+# Public key of minisign for updates, and the number of this version, which rises with each commit.
+UPDATE_KEY=${UPDATE_KEY:-} update_version=${UPDATE_VERSION:-$made_s}
+update_name="Kingyo $version ($(date -u -d "@$update_version" +%F))"
 
 . "$top/board/refuse_shared.sh"
 refuse_shared image "$BUILD/image" "$IMAGE" "$cache"
