@@ -83,6 +83,15 @@ enum learn_step {
     LEARN_STEP_COUNT,
 };
 
+/* State of the update by USB stick (board/image/UPDATE.md). */
+enum update_state {
+    UPDATE_NONE = 0, /* The machine cannot be updated, and the menu has no update page. */
+    UPDATE_IDLE,
+    UPDATE_READY, /* A verified update waits for the operator. */
+    UPDATE_BUSY,  /* An update is being written. */
+    UPDATE_STATE_COUNT,
+};
+
 struct controller_status {
     /* State of the controller in each row of the menu page that lists the controllers (enum
      * controller_state). A controller keeps its row while it is plugged in. */
@@ -92,6 +101,8 @@ struct controller_status {
     uint8_t learn_progress; /* Progress of the current step of the learn wizard, 0 .. 255. */
     /* Number of rows on the menu's file page. The shell supplies the text of each row. */
     uint8_t file_count;
+    /* State of the update by USB stick (enum update_state); 0 in recordings of older programs. */
+    uint8_t update;
 };
 
 enum poi_source {

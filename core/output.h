@@ -78,6 +78,7 @@ enum controller_command_kind {
     /* Acknowledge the quarantined (damaged) databases, which the operator has seen in a list;
      * applies to no controller. */
     COMMAND_SEEN,
+    COMMAND_UPDATE, /* Write the update on the USB stick; applies to no controller. */
 };
 
 struct controller_command {

@@ -126,6 +126,52 @@ struct scene_machine {
     uint32_t missed;
 };
 
+/* ---- Update by USB stick ---------------------------------------------------------------------
+ *
+ * The state of the update page (board/image/UPDATE.md). The shell fills in struct scene_update
+ * (platform/update_link.h) while the page is open. */
+
+enum scene_update_step {
+    UPDATE_STEP_WAIT = 0, /* The service that reads the stick has not answered yet. */
+    UPDATE_STEP_NO_STICK,
+    UPDATE_STEP_FOUND, /* A verified update waits for the operator. */
+    UPDATE_STEP_CHECKING,
+    UPDATE_STEP_WRITING,
+    UPDATE_STEP_DONE,
+    UPDATE_STEP_FAILED,
+    UPDATE_STEP_COUNT,
+};
+
+/* Reasons why an update failed, and the note UPDATE_FAULT_FELL_BACK: the last update did not start,
+ * so the version before it runs. */
+enum scene_update_fault {
+    UPDATE_FAULT_NONE = 0,
+    UPDATE_FAULT_FELL_BACK,
+    UPDATE_FAULT_NO_FILESYSTEM,
+    UPDATE_FAULT_NO_FOLDER,
+    UPDATE_FAULT_UNSIGNED,
+    UPDATE_FAULT_WRONG_KEY,
+    UPDATE_FAULT_WRONG_BOARD,
+    UPDATE_FAULT_OLDER,
+    UPDATE_FAULT_SAME_VERSION,
+    UPDATE_FAULT_TOO_LARGE,
+    UPDATE_FAULT_DAMAGED,
+    UPDATE_FAULT_PULLED,
+    UPDATE_FAULT_CANCELED,
+    UPDATE_FAULT_CARD,
+    UPDATE_FAULT_ON_TRIAL,
+    UPDATE_FAULT_COUNT,
+};
+
+#define SCENE_UPDATE_NAME_SIZE 64u
+
+struct scene_update {
+    uint8_t step;                      /* Step of the update (enum scene_update_step). */
+    uint8_t percent;                   /* Progress of the step, 0 .. 100. */
+    uint8_t fault;                     /* Fault or note (enum scene_update_fault). */
+    char name[SCENE_UPDATE_NAME_SIZE]; /* Name of the new version, UTF-8. */
+};
+
 /* ---- Devices --------------------------------------------------------------------------------- */
 
 #define SCENE_NAME_SIZE 48u
@@ -181,6 +227,7 @@ struct scene_devices {
     /* Number of configuration files and lines that were rejected at startup. */
     uint32_t files_refused;
     struct scene_machine machine;
+    struct scene_update update;
     /* Bit mask of the line levels before debouncing. Each line has the same bit as in
      * `buttons_missing`. */
     uint32_t line_raw;

@@ -97,6 +97,9 @@ struct field {
 
 #define FIELD(member) FIELD_ENTRY(member, FORM_WORDS, 0, NULL, FIELD_ALL_USED)
 #define FIELD_BYTES(member) FIELD_ENTRY(member, FORM_RAW, 0, NULL, FIELD_ALL_USED)
+/* Describes the `bytes` bytes that begin with `member`, read as FIELD_BYTES() reads them. */
+#define FIELD_BYTES_RANGE(member, bytes)                                                           \
+    FIELD_PART(member, bytes, FORM_RAW, 0, NULL, FIELD_ALL_USED, 0)
 #define FIELD_HIGH(member, shift) FIELD_ENTRY(member, FORM_HIGH, shift, NULL, FIELD_ALL_USED)
 #define FIELD_SIGN(member) FIELD_ENTRY(member, FORM_SIGN, 0, NULL, FIELD_ALL_USED)
 /* Describes a member that recordings contain since format 8 (FIELD_LATER) or since format `format`

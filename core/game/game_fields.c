@@ -218,8 +218,10 @@ static const struct field_table menu_fields = FIELD_TABLE(menu,
     FIELD(turning), FIELD(turn_count), FIELD(turn_tick), FIELD(from), FIELD(pin_count),
     FIELD(pin), FIELD(has_pointer), FIELD(pointer_player), FIELD(presses), FIELD(points),
     FIELD(held), FIELD(test_coins), FIELD(coin_tick), FIELD(command_count), FIELD(confirm_tick),
-    FIELD(take_tick), FIELD(act_tick), FIELD(use_tick), FIELD_BYTES(tag),
-    FIELD_BYTES(controllers), FIELD(pressed_count), FIELD(rest), FIELD_SKIP(rules),
+    FIELD(take_tick), FIELD(act_tick), FIELD(use_tick), FIELD_BYTES_RANGE(tag[0], MENU_UPDATE),
+    FIELD_BYTES_RANGE(controllers.state[0], offsetof(struct controller_status, update)),
+    FIELD_SINCE(10, tag[MENU_UPDATE], 1), FIELD_SINCE(10, controllers.update, 2),
+    FIELD(pressed_count), FIELD(rest), FIELD_SKIP(rules),
     FIELD_STRUCT(calibrate, &calibrate_fields), FIELD_STRUCT(self, &self_test_fields), FIELD(x),
     FIELD(y));
 #undef STRUCT

@@ -10,6 +10,7 @@
 #include "platform/kiosk/recorder/score_playback.h"
 #include "platform/kiosk/recorder/session_recorder.h"
 #include "platform/system_health.h"
+#include "platform/update_link.h"
 
 /* Maximum time between two presses of the quit key. The time equals MENU_CONFIRM_TICKS, the maximum
  * time between two presses of the TEST button during a round. */
@@ -138,6 +139,8 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     }
     hal->controllers.ops->poll(hal->controllers.self, &input->controllers);
     input->controllers.file_count = operator_view_file_count(kiosk->config.notes);
+    input->controllers.update =
+        kiosk->config.update ? update_link_state(kiosk->config.update) : (uint8_t)UPDATE_NONE;
     const uint64_t now_ns = kiosk->sampled_ns = hal_now_ns(hal->clock);
     /* Assigns controllers to slots. Slots change only between two games and while the operator's
      * menu is shown, so that no player loses a controller during a game. */
@@ -329,7 +332,14 @@ static void complete_scene(struct kiosk *kiosk, const struct hal *hal, uint32_t 
         }
         system_health_read(machine, &kiosk->machine);
     }
+    struct update_link *update = kiosk->config.update;
+    if (update) {
+        const bool is_open =
+            kiosk->output.phase == PHASE_MENU && kiosk->scene.menu.page == MENU_UPDATE;
+        update_link_step(update, is_open, hal_now_ns(hal->clock));
+    }
     const struct operator_view operator_view = {
+        .update = update ? &update->newest : NULL,
         .notes = kiosk->config.notes,
         .input = &kiosk->input,
         .samplers = kiosk->samplers,

@@ -25,6 +25,7 @@
 struct session_recorder;
 struct score_playback;
 struct system_health;
+struct update_link;
 
 struct kiosk_config {
     struct core_config core;
@@ -40,6 +41,8 @@ struct kiosk_config {
     struct session_recorder *sessions;
     /* Score playback. Must outlive the kiosk. Null means no playback. */
     struct score_playback *playback;
+    /* Link to the update service. Must outlive the kiosk. Null means that there is none. */
+    struct update_link *update;
     struct kiosk_tap tap; /* Callbacks of a recorder. Each callback may be null. */
     /* Source of the input of each tick. If source.next is null, the devices provide the input. */
     struct kiosk_source source;

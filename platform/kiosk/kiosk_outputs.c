@@ -4,6 +4,7 @@
 
 #include "core/base/panic.h"
 #include "platform/kiosk/recorder/session_recorder.h"
+#include "platform/update_link.h"
 
 /* Maximum time that a restart waits for the store. If the store needs longer, the memory card is
  * assumed to be full. */
@@ -24,6 +25,10 @@ static void execute_commands(struct kiosk *kiosk, const struct hal *hal)
             kiosk->wanted_replay_id = order->round_id;
         } else if (order->kind == COMMAND_SEEN) {
             kiosk->has_acknowledged = true;
+        } else if (order->kind == COMMAND_UPDATE) {
+            if (kiosk->config.update) {
+                update_link_start(kiosk->config.update);
+            }
         } else {
             hal->controllers.ops->command(hal->controllers.self, order);
         }

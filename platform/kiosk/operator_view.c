@@ -107,6 +107,7 @@ void operator_view_fill(struct scene *scene, const struct hal *hal,
         return;
     }
     devices->machine = *operator_view->machine;
+    devices->update = operator_view->update ? *operator_view->update : (struct scene_update){ 0 };
     copy_texts(devices, hal);
     for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
         const uint32_t row = scene->menu.file_first + i;

@@ -69,7 +69,8 @@ struct operator_view {
     const struct operator_view_lines *lines;
     uint32_t button_faults;
     const struct scene_machine *machine;
-    uint64_t frame_ns; /* Median frame time in nanoseconds. 0 means unknown. */
+    const struct scene_update *update; /* State of the update. Null means none. */
+    uint64_t frame_ns;                 /* Median frame time in nanoseconds. 0 means unknown. */
 };
 
 /* Marks in `scene` the scores whose replay is stored. While the operator's menu is shown, also

@@ -145,6 +145,8 @@ enum exit_code run_common_begin(struct run_common *session, struct kiosk_config 
     if (!replay[0]) {
         config->sessions = &session->sessions;
         config->playback = &session->playback;
+        update_link_begin(&session->update, getenv("RUNTIME_DIRECTORY"), UPDATE_LINK_STATUS);
+        config->update = &session->update;
         load_species(session, &config->core.book);
     }
     const enum core_error refused = kiosk_init(&session->kiosk, &session->hal, config);
@@ -194,6 +196,7 @@ void run_common_print_library(const struct run_common *session)
 enum exit_code run_common_end(struct run_common *session)
 {
     system_health_stop(&session->machine);
+    update_link_end(&session->update);
     free(session->rgb);
     session->rgb = NULL;
     const char *record = session->options.record, *replay = session->options.replay;

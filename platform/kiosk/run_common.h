@@ -15,6 +15,7 @@
 #include "platform/kiosk/status.h"
 #include "platform/species/library.h"
 #include "platform/system_health.h"
+#include "platform/update_link.h"
 
 struct run_common {
     struct options options;
@@ -32,6 +33,7 @@ struct run_common {
     /* Totals of the recording that --replay plays, set by run_common_check(). */
     struct replay_totals replayed;
     struct system_health machine; /* System health monitor. */
+    struct update_link update;    /* Link to the update service. */
     struct status status;         /* Writer of the status file for monitoring tools. */
     uint8_t *rgb;                 /* Buffer for pictures. The buffer grows with the window. */
     size_t rgb_size;

@@ -67,7 +67,7 @@
 #define REPLAY_CHUNK_TICKS CORE_TICK_HZ
 #define REPLAY_PROGRAM_SIZE 16u
 
-#define REPLAY_CONTROLLERS_BYTES (CONTROLLER_MAX + 4u)
+#define REPLAY_CONTROLLERS_BYTES (CONTROLLER_MAX + 5u)
 
 /* Maximum size in bytes of the machine state in the input of one tick: a mask byte, two ids of
  * saved data, a byte of flags, the day, the minute, and the numbers of dropped ticks, faults and

@@ -68,6 +68,8 @@ enum {
     CONTROLLERS_ROW,
     CONTROLLERS_PROGRESS,
     CONTROLLERS_FILES,
+    /* The update state was added to format 10, whose older files have no such bit in the mask. */
+    CONTROLLERS_UPDATE,
     CONTROLLERS_BYTES,
 };
 _Static_assert(CONTROLLERS_BYTES == REPLAY_CONTROLLERS_BYTES && CONTROLLERS_BYTES <= 16,
@@ -226,7 +228,8 @@ static bool walk_controllers(struct replay_serializer *walk, const struct input 
         walk->bad |= !walk->out && i < CONTROLLER_MAX && bytes[i] >= CONTROLLER_STATE_COUNT;
     }
     walk->bad |= !walk->out && (bytes[CONTROLLERS_STEP] >= LEARN_STEP_COUNT ||
-                                bytes[CONTROLLERS_ROW] >= CONTROLLER_MAX);
+                                bytes[CONTROLLERS_ROW] >= CONTROLLER_MAX ||
+                                bytes[CONTROLLERS_UPDATE] >= UPDATE_STATE_COUNT);
     return group_end(&group, (1u << CONTROLLERS_BYTES) - 1u);
 }
 

@@ -110,7 +110,7 @@ stall-picture: $(BUILD)/tests/render/shot ui-shots
 # Pictures of the operator's manual: two pages of the menu side by side, each as PAGE or PAGE@STEP.
 MANUAL_PICTURES := menu:top:money picture:picture:card ranking:ranking:score books:earnings:hours \
     lines:lines:axes upkeep:files:about calibration:calibration@3:calibration@6 \
-    selftest:selftest:machine
+    selftest:selftest:machine update:upkeep:update
 
 ## picture/manual-pictures: Draw the pictures of the manual (needs ImageMagick)
 manual-pictures: $(BUILD)/tests/render/shot

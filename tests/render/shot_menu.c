@@ -51,7 +51,7 @@ static const char *const names[MENU_PAGE_COUNT] = {
     [MENU_MACHINE] = "machine", [MENU_RESET] = "reset",
     [MENU_ABOUT] = "about",     [MENU_NEW_PIN] = "newpin",
     [MENU_RESTART] = "restart", [MENU_FACTORY] = "factory",
-    [MENU_PIN] = "pin",
+    [MENU_PIN] = "pin", [MENU_UPDATE] = "update",
     [MENU_RANKING] = "ranking", [MENU_SCORE] = "score",
 };
 /* clang-format on */
@@ -130,6 +130,7 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
         input.controllers.state[i] = found[i].state;
     }
     input.controllers.file_count = FILE_COUNT + 1u;
+    input.controllers.update = UPDATE_BUSY;
     core_tick(core, &input, &output);
     struct menu *menu = &core->game.menu;
     rank_some(&core->game.accounts.ranking);
@@ -217,6 +218,9 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
         .quarantined = 1,
         .missed = 2,
     };
+    devices->update = (struct scene_update){ .step = UPDATE_STEP_WRITING,
+                                             .percent = 42,
+                                             .name = "Kingyo 0.2.0 (2026-12-01)" };
     devices->line_raw = INPUT_LEFT | INPUT_DOOR | INPUT_TILT;
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT + COIN_LINE_COUNT; i++) {
         devices->line[i] = (struct scene_line){ 4u + i * i * 41u, i % 4u == 3u ? i : 0u };

@@ -31,6 +31,7 @@ static void check_controllers(const struct controller_status *controllers)
 {
     CORE_ASSERT(controllers->learn_step < LEARN_STEP_COUNT);
     CORE_ASSERT(controllers->learn_row < CONTROLLER_MAX);
+    CORE_ASSERT(controllers->update < UPDATE_STATE_COUNT);
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         CORE_ASSERT(controllers->state[i] < CONTROLLER_STATE_COUNT);
     }
@@ -325,8 +326,10 @@ static void watch_input_test(struct menu *menu, const struct game *game,
     menu->held = input->held;
     count_inputs(menu, game->tick, input, output);
     const bool is_used = input->pressed != 0 || input_coin_pulses(input) > 0;
-    menu->use_tick = is_used ? game->tick : menu->use_tick;
-    menu->act_tick = is_used || has_changed ? game->tick : menu->act_tick;
+    /* The menu stays open while an update is written, which may take longer than the timeout. */
+    const bool is_busy = input->controllers.update == UPDATE_BUSY;
+    menu->use_tick = is_used || is_busy ? game->tick : menu->use_tick;
+    menu->act_tick = is_used || is_busy || has_changed ? game->tick : menu->act_tick;
     /* The store could not save the learned mapping of a controller, so the menu opens the page of
      * the learn wizard. */
     if (is_unkept && menu->page != MENU_PIN) {

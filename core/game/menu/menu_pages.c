@@ -81,7 +81,8 @@ static const struct menu_page_desc sheets[MENU_PAGE_COUNT] = {
     [MENU_SELF_TEST] = { .parent = MENU_TOP, .body = MENU_BODY_FREE, .foot_count = SELF_TAGS,
                          .shows_presses = true, .is_enabled = menu_self_enabled,
                          .open = menu_self_open, .activate = menu_self_activate },
-    [MENU_UPKEEP] = PAGES(MENU_TOP),
+    [MENU_UPKEEP] = { .parent = MENU_TOP, .body = MENU_BODY_PAGES, .foot_count = 1,
+                      .is_enabled = menu_upkeep_enabled },
     [MENU_FILES] = { .parent = MENU_UPKEEP, .body = MENU_BODY_FREE, .foot_count = FILES_TAGS,
                      .is_enabled = menu_files_enabled, .open = menu_files_open,
                      .activate = menu_files_activate },
@@ -89,6 +90,9 @@ static const struct menu_page_desc sheets[MENU_PAGE_COUNT] = {
     [MENU_NEW_PIN] = KEYS(MENU_UPKEEP, menu_new_pin_activate),
     [MENU_RESTART] = SURE(MENU_UPKEEP, menu_restart_activate),
     [MENU_FACTORY] = SURE(MENU_UPKEEP, menu_factory_activate),
+    [MENU_UPDATE] = { .parent = MENU_UPKEEP, .body = MENU_BODY_FREE, .foot_count = UPDATE_TAGS,
+                      .is_enabled = menu_update_enabled, .open = menu_update_open,
+                      .activate = menu_update_activate },
     [MENU_PIN] = KEYS(MENU_PAGE_COUNT, menu_pin_activate),
 };
 /* clang-format on */

@@ -148,9 +148,10 @@ menu_activate_page menu_book_activate, menu_reset_activate, menu_ranking_activat
 
 /* Actions of the pages in menu_upkeep.c. menu_confirm_open() highlights the item "Back" of a page
  * that requests confirmation, so that an accidental press does nothing. */
-menu_is_enabled menu_files_enabled;
-menu_open_page menu_files_open, menu_confirm_open, menu_pin_open;
-menu_activate_page menu_files_activate, menu_restart_activate, menu_factory_activate;
+menu_is_enabled menu_files_enabled, menu_upkeep_enabled, menu_update_enabled;
+menu_open_page menu_files_open, menu_confirm_open, menu_pin_open, menu_update_open;
+menu_activate_page menu_files_activate, menu_restart_activate, menu_factory_activate,
+    menu_update_activate;
 menu_activate_page menu_pin_activate, menu_new_pin_activate;
 
 /* settings_edit.c. */

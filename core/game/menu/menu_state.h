@@ -178,6 +178,9 @@ enum menu_page {
     MENU_FACTORY, /* Page of the factory reset. */
     /* Page for the PIN entry. If a PIN is set, this page opens before all other pages. */
     MENU_PIN,
+    /* Page of the update by USB stick. Hashes of recordings depend on the numbers of the pages
+     * before. */
+    MENU_UPDATE,
     MENU_PAGE_COUNT,
 };
 
@@ -204,6 +207,7 @@ enum { SELF_YES = 0, SELF_NO, SELF_AGAIN, SELF_BACK, SELF_TAGS };
 enum { RANKING_NEXT = SCENE_LEADERBOARD_ROWS, RANKING_BACK, RANKING_TAGS };
 enum { SCORE_REPLAY = 0, SCORE_UNNAME, SCORE_CONFIRM, SCORE_BACK, SCORE_TAGS };
 enum { FILES_MORE = 0, FILES_SEEN, FILES_BACK, FILES_TAGS };
+enum { UPDATE_START = 0, UPDATE_BACK, UPDATE_TAGS };
 enum { BOOK_RESET = 0, BOOK_BACK, BOOK_TAGS };
 /* Items of a page that requests confirmation. The second item is highlighted first. */
 enum { CONFIRM_YES = 0, CONFIRM_BACK, CONFIRM_TAGS };

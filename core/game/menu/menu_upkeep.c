@@ -39,6 +39,40 @@ void menu_factory_activate(const struct menu_scope *scope, uint32_t tag)
     }
 }
 
+/* Offers the update page only if the machine can be updated. In the recording of an older program
+ * the page is missing, so its tags have the same places as then. */
+uint16_t menu_upkeep_enabled(const struct menu *menu)
+{
+    uint16_t offered = 0;
+    for (uint32_t tag = 0; tag < menu_tag_count(MENU_UPKEEP, menu->rules); tag++) {
+        const bool is_update = menu_page_at(MENU_UPKEEP, menu->rules, tag) == MENU_UPDATE;
+        if (!is_update || menu->controllers.update != UPDATE_NONE) {
+            offered |= MENU_TAG(tag);
+        }
+    }
+    return offered;
+}
+
+uint16_t menu_update_enabled(const struct menu *menu)
+{
+    const bool is_ready = menu->controllers.update == UPDATE_READY;
+    return (uint16_t)((is_ready ? MENU_TAG(UPDATE_START) : 0u) | MENU_TAG(UPDATE_BACK));
+}
+
+void menu_update_open(struct menu *menu, const struct game *game, const struct settings *settings)
+{
+    (void)game;
+    (void)settings;
+    menu->tag[MENU_UPDATE] = UPDATE_BACK;
+}
+
+void menu_update_activate(const struct menu_scope *scope, uint32_t tag)
+{
+    CORE_ASSERT(tag == UPDATE_START);
+    (void)tag;
+    menu_command(scope->menu, scope->output, COMMAND_UPDATE);
+}
+
 #define FILES_SHOWN 5u
 
 uint32_t menu_files_shown(bool upright)

@@ -89,6 +89,7 @@ void menu_rows(const struct ui_frame *frame);
 void menu_one_controller(const struct ui_frame *frame);
 void menu_learning(const struct ui_frame *frame);
 void menu_lines(const struct ui_frame *frame);
+void menu_update(const struct ui_frame *frame);
 void menu_files(const struct ui_frame *frame);
 void menu_axes(const struct ui_frame *frame);
 void menu_self_test(const struct ui_frame *frame);

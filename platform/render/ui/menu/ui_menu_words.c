@@ -79,6 +79,8 @@ static const struct menu_words pages[MENU_PAGE_COUNT] = {
                        .draw = menu_confirm },
     [MENU_FACTORY] = { .title = TEXT_PAGE_FACTORY, .about = TEXT_ABOUT_FACTORY, .foot = SURE,
                        .draw = menu_confirm },
+    [MENU_UPDATE] = { .title = TEXT_PAGE_UPDATE, .about = TEXT_ABOUT_UPDATE,
+                      .foot = { TEXT_FOOT_UPDATE, BACK }, .draw = menu_update },
     [MENU_PIN] = { .title = TEXT_PAGE_PIN, .foot = { TEXT_FOOT_ERASE, TEXT_MENU_LEAVE },
                    .draw = menu_pin },
 };

@@ -213,7 +213,7 @@ static void test_a_new_controller_takes_three_bytes_besides_the_mask(void **stat
 static void test_an_invalid_controller_list_encoding_is_rejected(void **state)
 {
     (void)state;
-    enum { CONTROLLERS = 1 << 5, STEP = 1, ROW = 2, BEYOND = 16 };
+    enum { CONTROLLERS = 1 << 5, STEP = 1, ROW = 2, UPDATE = 16, BEYOND = 32 };
     const uint8_t refused[][4] = {
         /* Invalid: the mask names the controller list, but the mask of its fields is empty. */
         { CONTROLLERS, 0, 0, 0 },
@@ -223,6 +223,8 @@ static void test_an_invalid_controller_list_encoding_is_rejected(void **state)
         { CONTROLLERS, 0, STEP, LEARN_STEP_COUNT },
         /* Invalid: CONTROLLER_MAX is one more than the last row. */
         { CONTROLLERS, 0, ROW, CONTROLLER_MAX },
+        /* Invalid: UPDATE_STATE_COUNT is one more than the last state of an update. */
+        { CONTROLLERS, 0, UPDATE, UPDATE_STATE_COUNT },
         /* Invalid: the controller list has no field for this bit. */
         { CONTROLLERS, 0, BEYOND, 1 },
     };

@@ -181,6 +181,31 @@ static void test_every_menu_word_is_readable_from_one_metre(void **state)
     }
 }
 
+/* Draws the update page with each step, each fault and the longest name of a version. */
+static void test_every_line_of_the_update_page_fits_and_is_readable(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < SIZE_COUNT * LANGUAGE_COUNT * UPDATE_STEP_COUNT; k++) {
+        const uint32_t size = k % SIZE_COUNT;
+        for (uint8_t fault = 0; fault < UPDATE_FAULT_COUNT; fault++) {
+            set_page(MENU_UPDATE, 3, (uint8_t)(k / SIZE_COUNT % LANGUAGE_COUNT), is_upright(size));
+            struct scene_update *update = &scene.devices.update;
+            *update = (struct scene_update){ .step = (uint8_t)(k / (SIZE_COUNT * LANGUAGE_COUNT)),
+                                             .percent = fault == 0 ? 100 : fault,
+                                             .fault = fault };
+            memset(update->name, 'W', sizeof update->name - 1u);
+            lay_out(size);
+            expect_inside(size);
+            snprintf(update->name, sizeof update->name, "Kingyo 0.2.0 (2026-12-01)");
+            lay_out(size);
+            for (uint32_t i = 0; i < batch.quad_count && size == 0; i++) {
+                assert_true(batch.kinds[i] != UI_GLYPH ||
+                            glyph_em_px(&batch, i) >= 0.024f * 720.0f);
+            }
+        }
+    }
+}
+
 static uint32_t count_kind(enum ui_kind kind)
 {
     uint32_t count = 0;
@@ -617,6 +642,7 @@ int main(void)
         cmocka_unit_test(test_a_changed_setting_has_a_seal_on_its_own_page_too),
         cmocka_unit_test(test_the_opening_checklist_fits_its_page_in_every_state),
         cmocka_unit_test(test_every_menu_page_fits_the_screen),
+        cmocka_unit_test(test_every_line_of_the_update_page_fits_and_is_readable),
         cmocka_unit_test(test_every_menu_word_is_readable_from_one_metre),
         cmocka_unit_test(test_a_setting_shows_its_range_and_unit),
         cmocka_unit_test(test_a_board_is_drawn_for_each_present_controller),
