@@ -10,7 +10,7 @@
 int main(void)
 {
     puts("struct                        bytes  how many");
-    ROW(core, "1: the whole state of the stall");
+    ROW(core, "1: the whole state of the core");
     ROW(tank, "1");
     ROW(fish, "TANK_FISH_MAX, in the tank");
     ROW(spatial_grid, "1, in the tank");

@@ -34,7 +34,7 @@ row 'one tick of the core' "$(pick "$work/demo" '[0-9.]+ ms(?= a tick)')" "$demo
 within=$?
 read -r open_ms open_max_ms back_ms back_max_ms <"$work/open"
 row "opening the championship's tank: median, max" "$open_ms, $open_max_ms ms" bench_open
-row "and the stall's own again: median, max" "$back_ms, $back_max_ms ms" bench_open
+row "and the default tank again: median, max" "$back_ms, $back_max_ms ms" bench_open
 [ $within -eq 0 ] || row 'opening a tank' 'OVER ITS BOUND' 'bench_open'
 
 open_screen

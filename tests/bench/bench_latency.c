@@ -34,7 +34,7 @@
 
 /* State of a simulated kiosk, which a trial copies. Some pointers of a copy still point into the
  * original, so wire() must set them again. */
-struct booth {
+struct fixture {
     struct clock_sim clock;
     struct display_sim display;
     struct pointer_sim poi;
@@ -42,16 +42,16 @@ struct booth {
     struct kiosk kiosk;
 };
 
-static struct booth base, with, without;
+static struct fixture base, with, without;
 
-static struct hal wire(struct booth *stall)
+static struct hal wire(struct fixture *fixture)
 {
     struct hal hal = null_hal(NULL);
-    hal.clock = sim_clock_device(&stall->clock);
-    hal.display = sim_display_device(&stall->display);
-    stall->poi.feed.clock = hal.clock;
-    stall->poi.reports = stall->reports;
-    hal.poi[0] = pointer_sim_devices(&stall->poi).poi;
+    hal.clock = sim_clock_device(&fixture->clock);
+    hal.display = sim_display_device(&fixture->display);
+    fixture->poi.feed.clock = hal.clock;
+    fixture->poi.reports = fixture->reports;
+    hal.poi[0] = pointer_sim_devices(&fixture->poi).poi;
     return hal;
 }
 
@@ -67,18 +67,18 @@ static struct pointer_report report_at(uint64_t time_ns, float x_px, uint32_t bu
     };
 }
 
-static void frame(struct booth *stall, uint64_t frame_ns)
+static void frame(struct fixture *fixture, uint64_t frame_ns)
 {
-    const struct hal hal = wire(stall);
-    stall->clock.now_ns += frame_ns;
-    kiosk_frame(&stall->kiosk, &hal);
+    const struct hal hal = wire(fixture);
+    fixture->clock.now_ns += frame_ns;
+    kiosk_frame(&fixture->kiosk, &hal);
 }
 
 /* Starts a round, with the pointer at rest over the middle of the tank. */
-static void open_stall(uint64_t frame_ns)
+static void open_fixture(uint64_t frame_ns)
 {
     const struct kiosk_config config = { .core = { .seed = 1, .fish_count = 20 } };
-    base = (struct booth){ .clock.now_ns = 1000000000 };
+    base = (struct fixture){ .clock.now_ns = 1000000000 };
     pointer_sim_init(&base.poi, sim_clock_device(&base.clock),
                      &tank_preset(TANK_PRESET_FESTIVAL)->view);
     base.reports[0] = report_at(1000000001, 640.0f, 0);
@@ -93,7 +93,7 @@ static void open_stall(uint64_t frame_ns)
     }
 }
 
-static float moved_px(const struct booth *a, const struct booth *b)
+static float moved_px(const struct fixture *a, const struct fixture *b)
 {
     const struct scene_poi *left = &a->display.scene.poi[0];
     const struct scene_poi *right = &b->display.scene.poi[0];
@@ -153,7 +153,7 @@ static int bench(const struct event *event)
     static double ms[TRIALS];
     uint32_t frames_max = 0;
     uint32_t ticks_max = 0;
-    open_stall(event->frame_ns);
+    open_fixture(event->frame_ns);
     for (uint32_t i = 0; i < TRIALS; i++) {
         const float phase = rng_unit((struct rng_key){ 1, i, 0, RNG_TEST });
         const struct latency latency = measure(event, phase);

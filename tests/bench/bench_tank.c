@@ -463,7 +463,7 @@ static const struct {
     const char *name;
     uint8_t preset;
     uint32_t fish;
-} stalls[] = {
+} tanks[] = {
     { "festival", TANK_PRESET_FESTIVAL, 300 },
     { "thesis", TANK_PRESET_THESIS, 600 },
     { "official", TANK_PRESET_OFFICIAL, 1000 },
@@ -473,11 +473,11 @@ static const float drags_m_s[] = { 0.0f, 0.2f, 0.4f, 1.0f };
 
 /* Returns the mean time in ns per fish and tick. The mean is used instead of the median, because
  * the cost of a poi varies between ticks. */
-static double dragged_ns(uint32_t stall, float speed_m_s)
+static double dragged_ns(uint32_t tank_index, float speed_m_s)
 {
     double sum_ns = 0.0;
     uint32_t count = 0;
-    open_preset(stalls[stall].preset, stalls[stall].fish, 1.0f, PAIR_SEARCH_GRID);
+    open_preset(tanks[tank_index].preset, tanks[tank_index].fish, 1.0f, PAIR_SEARCH_GRID);
     take_disc(speed_m_s);
     warm_up(WARM_NS);
     const double start = now_ns();
@@ -495,16 +495,16 @@ static void print_dragged(void)
     for (uint32_t d = 1; d < DRAGS; d++) {
         printf("      at %.1f m/s", (double)drags_m_s[d]);
     }
-    for (uint32_t s = 0; s < sizeof stalls / sizeof stalls[0]; s++) {
+    for (uint32_t s = 0; s < sizeof tanks / sizeof tanks[0]; s++) {
         const double calm_ns = dragged_ns(s, 0.0f);
-        printf("\n  %-8s %6u  %8.1f", stalls[s].name, stalls[s].fish, calm_ns);
-        row("calm_ns", stalls[s].name, stalls[s].fish, cpu_lanes(), calm_ns);
+        printf("\n  %-8s %6u  %8.1f", tanks[s].name, tanks[s].fish, calm_ns);
+        row("calm_ns", tanks[s].name, tanks[s].fish, cpu_lanes(), calm_ns);
         for (uint32_t d = 1; d < DRAGS; d++) {
             const double ns = dragged_ns(s, drags_m_s[d]);
             char what[32];
             snprintf(what, sizeof what, "dragged_%.1f_m_s_ns", (double)drags_m_s[d]);
             printf("  %8.1f (%3.1f)", ns, ns / calm_ns);
-            row(what, stalls[s].name, stalls[s].fish, cpu_lanes(), ns);
+            row(what, tanks[s].name, tanks[s].fish, cpu_lanes(), ns);
         }
         fflush(stdout);
     }

@@ -94,8 +94,8 @@ static uint32_t run(uint32_t seconds)
 
 int main(int argc, char **argv)
 {
-    const uint32_t wanted = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 10u;
-    const uint32_t seconds = wanted > 0 && wanted <= SECONDS_MAX ? wanted : 10u;
+    const uint32_t requested = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 10u;
+    const uint32_t seconds = requested > 0 && requested <= SECONDS_MAX ? requested : 10u;
     struct hid_device_info face;
     pthread_t thread;
     fixture_prepare(&fixture);

@@ -59,15 +59,15 @@ static uint32_t count_torn(const struct league *league, uint32_t arm)
 static int print_goal(const struct league *league, uint32_t arm, const struct goal *goal)
 {
     uint32_t caught[LEAGUE_SEEDS_MAX];
-    char wanted[64];
+    char target[64];
     league_caught(league, arm, caught);
     const struct summary found = rounds_summary(caught, league->seeds);
     const int met = is_met(goal, &found);
-    snprintf(wanted, sizeof wanted,
+    snprintf(target, sizeof target,
              goal->max_below ? "median %g to %g, most under %u" : "median %g to %g",
              goal->median_min, goal->median_max, goal->max_below);
     printf("  %-20s %6.1f %6.1f %5u  %6.1f %5u  %-33s %s\n", goal->name, found.median, found.p90,
-           found.max, mean_scoops(league, arm), count_torn(league, arm), wanted,
+           found.max, mean_scoops(league, arm), count_torn(league, arm), target,
            met ? "so" : "NOT SO");
     return met;
 }

@@ -9,7 +9,7 @@ rules=board/udev/70-kingyo.rules gpio=board/udev/71-kingyo-gpio.rules
 gets() { # RULES DEVICE WHAT
     local got
     got=$(awk -v device="$2" -f tests/board/udev.awk "$1" | tr '\n' ' ') || return 1
-    echo "got '$got', wanted '$3'"
+    echo "got '$got', expected '$3'"
     [ "${got% }" = "$3" ]
 }
 usb() { echo "ACTION=add;SUBSYSTEM=usb;ENV{DEVTYPE}=usb_device;ATTRS{idVendor}=$1;ATTRS{idProduct}=$2;power/control="; }

@@ -32,8 +32,8 @@ BEGIN {
         value[parts] = substr(token, RSTART + 1, RLENGTH - 2)
     }
     if (rest != "" || parts == 0) fail("not a rule: " rest)
-    if (wanted != "") {
-        if (key[1] == "LABEL" && value[1] == wanted) wanted = ""
+    if (label != "") {
+        if (key[1] == "LABEL" && value[1] == label) label = ""
         else next
     }
     for (i = 1; i <= parts; i++) {
@@ -44,8 +44,8 @@ BEGIN {
     }
     for (i = 1; i <= parts; i++) {
         if (operator[i] != "=") continue
-        if (key[i] == "GOTO") wanted = value[i]
+        if (key[i] == "GOTO") label = value[i]
         else if (key[i] != "LABEL") print key[i] "=" value[i]
     }
 }
-END { if (!failed && wanted != "") { print FILENAME ": no label " wanted >"/dev/stderr"; exit 2 } }
+END { if (!failed && label != "") { print FILENAME ": no label " label >"/dev/stderr"; exit 2 } }

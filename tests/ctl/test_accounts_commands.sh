@@ -102,13 +102,13 @@ replaces_a_link() {
 }
 # Another user replaces the data folder by a symbolic link while the copy is written.
 stays_in_its_folder() {
-    mkdir -p "$work/victim" "$work/swapped" && cp $old/version-6.db "$work/swapped/kingyo.db" &&
-        echo precious | tee "$work/victim/kingyo.db" >"$work/victim/kingyo.db.new" &&
+    mkdir -p "$work/foreign" "$work/swapped" && cp $old/version-6.db "$work/swapped/kingyo.db" &&
+        echo precious | tee "$work/foreign/kingyo.db" >"$work/foreign/kingyo.db.new" &&
         ${CC:-gcc} -shared -fPIC -o "$work/swap.so" tests/ctl/swap_folder.c || return 1
-    SWAP_FOLDER=$work/swapped SWAP_TARGET=$work/victim LD_PRELOAD=$work/swap.so \
+    SWAP_FOLDER=$work/swapped SWAP_TARGET=$work/foreign LD_PRELOAD=$work/swap.so \
         "$ctl" backup --restore $old/version-6.db --data "$work/swapped"
-    ls "$work/victim" "$work/swapped.moved"
-    [ -L "$work/swapped" ] && [ "$(cd "$work/victim" && echo * && cat ./*)" = $'kingyo.db kingyo.db.new\nprecious\nprecious' ] &&
+    ls "$work/foreign" "$work/swapped.moved"
+    [ -L "$work/swapped" ] && [ "$(cd "$work/foreign" && echo * && cat ./*)" = $'kingyo.db kingyo.db.new\nprecious\nprecious' ] &&
         [ "$(cd "$work/swapped.moved" && echo *)" = 'kingyo.db kingyo.db.before-1' ]
 }
 is_copy() {

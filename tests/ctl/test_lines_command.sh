@@ -5,11 +5,11 @@
 . "$(dirname "$0")/../lib.sh"
 
 refuses() { # CODE WORDS ARGUMENTS...: exits with CODE, one line on standard error that has WORDS.
-    local wanted=$1 words=$2 code
+    local expected=$1 words=$2 code
     shift 2
     "$ctl" lines "$@" >"$work/out" 2>"$work/err" </dev/null
     code=$?
-    [ "$code" -eq "$wanted" ] || { echo "exit $code, not $wanted"; cat "$work/err"; return 1; }
+    [ "$code" -eq "$expected" ] || { echo "exit $code, not $expected"; cat "$work/err"; return 1; }
     [ "$(wc -l <"$work/err")" -eq 1 ] || { echo 'not one line:'; cat "$work/err"; return 1; }
     grep -qF -- "$words" "$work/err" || { cat "$work/err"; return 1; }
 }

@@ -117,9 +117,9 @@ same_files() {
 }
 few_silent() { echo "$silent"; [ "$silent" -le 10 ]; }
 is_reason() { # WORDS FULL|CLOSED PROGRAM...: The one line on standard error gives the reason WORDS.
-    local wanted=$1
+    local expected=$1
     shift
-    reports_output_error "$@" && [ "$(wc -l <"$work/err")" -eq 1 ] && grep -q "standard output: $wanted" "$work/err"
+    reports_output_error "$@" && [ "$(wc -l <"$work/err")" -eq 1 ] && grep -q "standard output: $expected" "$work/err"
 }
 
 echo 1..18

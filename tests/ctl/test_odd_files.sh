@@ -63,11 +63,11 @@ all_refuse() { # KIND: Every reader refuses the odd file of this KIND.
     return $bad
 }
 error_contains() { # WORDS KIND PROGRAM...: The error line contains WORDS. FILE in the arguments stands for the odd file of KIND.
-    local wanted=$1 kind=$2
+    local expected=$1 kind=$2
     shift 2
     refused "${@//FILE/$work/odd/$kind}"
     cat "$work/err"
-    grep -qF "$wanted" "$work/err"
+    grep -qF "$expected" "$work/err"
 }
 database() { # A FIFO, a folder or a device in place of kingyo.db.
     local kind bad=0

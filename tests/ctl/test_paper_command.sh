@@ -56,8 +56,8 @@ instant() { # OPTIONS...: Prints the lowest speed, in mm/s, at which the paper t
     done
     echo "$high"
 }
-within() { # PER CENT GOT WANTED: GOT differs from WANTED by at most PER CENT.
-    echo "$2, wanted $3 within $1 %"
+within() { # PER CENT GOT EXPECTED: GOT differs from EXPECTED by at most PER CENT.
+    echo "$2, expected $3 within $1 %"
     [ $((100 * ($2 - $3))) -le $(($1 * $3)) ] && [ $((100 * ($3 - $2))) -le $(($1 * $3)) ]
 }
 # 0.423 (Y p^2 a^2)^(1/3) = T with a = 0.04 m, and p = 1.12 rho v^2 / 2.

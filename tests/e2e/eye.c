@@ -30,14 +30,14 @@ static bool is_warm(const uint8_t *bgr)
     return bgr[2] > 110 && bgr[2] > bgr[1] + 30 && bgr[2] > bgr[0] + 50 && bgr[1] + 15 > bgr[0];
 }
 
-/* Reads the rectangle `wanted` of the window. Pixels outside the window become black. */
-int eye_capture(struct eye *eye, struct rect wanted)
+/* Reads the rectangle `area` of the window. Pixels outside the window become black. */
+int eye_capture(struct eye *eye, struct rect area)
 {
     const struct rect r = {
-        wanted.left > 0 ? wanted.left : 0,
-        wanted.top > 0 ? wanted.top : 0,
-        wanted.right < SCREEN_WIDTH ? wanted.right : SCREEN_WIDTH,
-        wanted.bottom < SCREEN_HEIGHT ? wanted.bottom : SCREEN_HEIGHT,
+        area.left > 0 ? area.left : 0,
+        area.top > 0 ? area.top : 0,
+        area.right < SCREEN_WIDTH ? area.right : SCREEN_WIDTH,
+        area.bottom < SCREEN_HEIGHT ? area.bottom : SCREEN_HEIGHT,
     };
     XImage *image =
         XGetImage(eye->display, eye->window, r.left, r.top, (unsigned)(r.right - r.left),

@@ -33,9 +33,9 @@ struct blob {
  * DISPLAY names. Returns 1 on success. */
 int eye_open(struct eye *eye, const char *window);
 
-/* Reads the picture of the rectangle `wanted` of the window. Returns 0 if the window no longer
+/* Reads the picture of the rectangle `area` of the window. Returns 0 if the window no longer
  * exists. */
-int eye_capture(struct eye *eye, struct rect wanted);
+int eye_capture(struct eye *eye, struct rect area);
 
 /* Returns the warm pixels (the reddish pixels of fish) in a square around the given centre.
  * `reach_px` is half the side of the square in pixels. */

@@ -14,7 +14,7 @@
 #include "platform/store/sqlite/ledger_recovery.h"
 #include "platform/store/sqlite/sql.h"
 #include "tests/fuzz/scratch.h"
-#include "tests/fuzz/stall.h"
+#include "tests/fuzz/try_game.h"
 #include "tests/fuzz/trap.h"
 
 #define ENTRIES_MAX 12u
@@ -102,11 +102,11 @@ static void put_rows(struct ledger_file *file, const uint8_t *bytes, size_t size
     HOLD(sql_run(file->db, "COMMIT") == SQLITE_OK);
 }
 
-static void start_stall(const struct ledger_content *content)
+static void start_game(const struct ledger_content *content)
 {
     struct persistent_state memory = { 0 };
     ledger_content_load(content, &memory);
-    stall_try_memory(&memory, TICKS);
+    try_game_persistent(&memory, TICKS);
 }
 
 /* Recovers all readable entries of the damaged database into a new database. Checks that the store
@@ -120,7 +120,7 @@ static void hold_salvage(void)
     HOLD(ledger_file_open(&to, salvaged_path, &how) == SQLITE_OK);
     HOLD(ledger_recover(path, &none, &to, &salvaged) == SQLITE_OK);
     HOLD(ledger_check(to.db) == SQLITE_OK);
-    start_stall(&to.content);
+    start_game(&to.content);
     ledger_file_close(&to);
 }
 
@@ -143,7 +143,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         for (uint32_t id = 0; id < ENTRIES_MAX; id++) {
             ledger_file_round(&file, id, &entry);
         }
-        start_stall(&file.content);
+        start_game(&file.content);
         ledger_file_close(&file);
     }
     hold_salvage();

@@ -8,7 +8,7 @@
 #include "core/base/hash.h"
 #include "platform/replay/replay.h"
 #include "platform/replay/replay_format.h"
-#include "tests/fuzz/stall.h"
+#include "tests/fuzz/try_game.h"
 #include "tests/fuzz/trap.h"
 
 #define FILE_MAX 16384u
@@ -109,13 +109,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         hold_problem(&reader.problem);
         return 0;
     }
-    const int plays = stall_try(&reader.header.config, 0);
+    const int plays = try_game(&reader.header.config, 0);
     int more;
     while ((more = replay_next(&reader, &input)) == 1) {
         hold_input(&before, &input);
         if (plays && reader.tick <= PLAYED_TICKS_MAX) {
             output.sound_count = 0;
-            core_tick(&stall_core, &input, &output);
+            core_tick(&try_game_core, &input, &output);
         }
         before = input;
     }

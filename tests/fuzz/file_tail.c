@@ -12,7 +12,7 @@
 
 #include "platform/store/sqlite/ledger_recovery.h"
 #include "tests/fuzz/scratch.h"
-#include "tests/fuzz/stall.h"
+#include "tests/fuzz/try_game.h"
 #include "tests/fuzz/trap.h"
 
 #define ENTRIES_MAX 16u
@@ -80,6 +80,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     HOLD(ledger_file_entry(&file, last_id, &entry) == (last_id ? SQLITE_OK : SQLITE_NOTFOUND));
     ledger_file_close(&file);
     ledger_mirror_close(&tail);
-    stall_try_memory(&memory, TICKS);
+    try_game_persistent(&memory, TICKS);
     return 0;
 }

@@ -25,7 +25,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     static char path[SCRATCH_PATH_SIZE], saved[SCRATCH_PATH_SIZE];
     static struct usb_choice choice, again;
     char why[HAL_TEXT_SIZE] = "";
-    struct usb_key wanted[USB_REQUEST_MAX];
+    struct usb_key requested[USB_REQUEST_MAX];
     if (!path[0]) {
         scratch_path(path, "usb.txt");
         scratch_path(saved, "usb-saved.txt");
@@ -37,7 +37,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     HOLD(bad >= 0 && (bad == 0) == (why[0] == '\0'));
     HOLD(strnlen(why, sizeof why) < sizeof why && !strchr(why, '\n'));
     HOLD(choice.request_count <= USB_REQUEST_MAX);
-    HOLD(usb_choice_wanted(&choice, wanted) <= choice.request_count);
+    HOLD(usb_choice_wanted(&choice, requested) <= choice.request_count);
     HOLD(usb_choice_save(&choice, saved) == 0);
     HOLD(usb_choice_load(&again, saved, why) == 0 && same_kept(&choice, &again));
     return 0;

@@ -6,7 +6,7 @@ FILE_TARGETS := replay graph conf usb tail entries
 FILE_BIN := $(FILE_TARGETS:%=$(FUZZ)/file_%)
 FILE_SRC := $(CORE_SRC) $(wildcard platform/replay/*.c platform/store/graph_*.c platform/store/sqlite/*.c \
     platform/config/*.c) $(patsubst %,platform/%.c,os/file os/number os/log os/panic setting_text) \
-    drivers/usb/usb_choice.c tests/fuzz/scratch.c tests/fuzz/stall.c
+    drivers/usb/usb_choice.c tests/fuzz/scratch.c tests/fuzz/try_game.c
 FILE_GENERATED = $(patsubst $(BUILD)/%,$(FUZZ)/%,$(GENERATED_CORE_OBJ) $(filter %/ledger_sql.o,$(GENERATED_OBJ)))
 
 ## test/fuzz-files: Fuzz replays, graphs, configuration and ledger; FUZZ_SECONDS=30

@@ -56,10 +56,10 @@ const distance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
 // The worst of all vertices at one moment. Colours are the drawing's where a key stands alone: at both ends.
 function hold_against(ours, theirs, is_end, worst) {
     for (const [number, got] of Object.entries(theirs)) {
-        const wanted = ours.vertices[number];
-        worst.place = Math.max(worst.place, distance(got.place.map((x) => x / ours.length_m), wanted.place));
-        worst.normal = Math.max(worst.normal, distance(got.normal, wanted.normal));
-        worst.colour = Math.max(worst.colour, is_end ? distance(got.colour, wanted.colour) : 0);
+        const expected = ours.vertices[number];
+        worst.place = Math.max(worst.place, distance(got.place.map((x) => x / ours.length_m), expected.place));
+        worst.normal = Math.max(worst.normal, distance(got.normal, expected.normal));
+        worst.colour = Math.max(worst.colour, is_end ? distance(got.colour, expected.colour) : 0);
     }
 }
 

@@ -30,11 +30,12 @@ static double now_s(void)
 static int report(const char *name, const struct rain_result *result, double took_s, FILE *tsv)
 {
     const long difference = (long)result->counted - (long)result->coins;
-    printf("%s: %u coins, %u counted (%ld lost, %ld doubled), %u looks early, %u late\n", name,
-           result->coins, result->counted, difference < 0 ? -difference : 0,
+    printf("%s: %u coins, %u counted (%ld lost, %ld doubled), %u counted too early, %u too late\n",
+           name, result->coins, result->counted, difference < 0 ? -difference : 0,
            difference > 0 ? difference : 0, result->early, result->late);
-    printf("  %u knocks and %u jams, %u pairs of sparks; %u faults told, %u of them of sparks\n",
-           result->knocks, result->jams, result->sparks, result->faults, result->doubtful);
+    printf(
+        "  %u knocks and %u jams, %u pairs of sparks; %u faults reported, %u of them of sparks\n",
+        result->knocks, result->jams, result->sparks, result->faults, result->doubtful);
     printf("  %llu edges, %u dropped by the queue, %u read late\n",
            (unsigned long long)result->edges, result->dropped, result->blinks);
     printf("  %.1f days of the slot in %.1f s; %u looks, frames up to %.2f s, stalls up to %.0f "

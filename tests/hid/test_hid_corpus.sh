@@ -21,19 +21,19 @@ gather() { # OUT HEADER_OF COMMAND...: for every descriptor in $good
 
 # Prints the number of agreeing rows, with repetitions, and fails unless both files have the same
 # rows. Values of fields over 32 bits are marked wide and may be omitted.
-agree() { # WANTED GOT
+agree() { # EXPECTED GOT
     awk -F'\t' -v OFS='\t' '
         FNR == 1 { file++ }
         file == 1 && FNR == 1 { next }
-        file == 1 { wanted[$0]++; rows++; if ($8 ~ /^wide/) wide++; next }
-        wanted[$0]-- > 0 { agreed++; next }
-        { print "# not wanted: " $0 }
-        END { for (row in wanted) if (wanted[row] > 0 && row !~ /\twide/) print "# missing: " row
+        file == 1 { expected[$0]++; rows++; if ($8 ~ /^wide/) wide++; next }
+        expected[$0]-- > 0 { agreed++; next }
+        { print "# not expected: " $0 }
+        END { for (row in expected) if (expected[row] > 0 && row !~ /\twide/) print "# missing: " row
               printf "# figure: %s: %d of %d rows agree", what, agreed, rows
               if (wide) printf ", %d of fields over 32 bits are left out", wide
               print ""; exit rows == 0 || agreed + wide != rows }' what="$3" "$1" "$2"
 }
-same_order() { # WANTED GOT: Compares the order as well.
+same_order() { # EXPECTED GOT: Compares the order as well.
     diff <(tail -n +2 "$1" | grep -v "$(printf '\t')wide") "$2"
 }
 decode() { # Some devices have a descriptor but no report, which gives exit 1.

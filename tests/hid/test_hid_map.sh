@@ -4,10 +4,10 @@
 . "$(dirname "$0")/../lib.sh"
 good=tests/hid/good/descriptors
 
-begins_with() { # WANTED COMMAND...: The output begins with WANTED.
-    local wanted=$1
+begins_with() { # EXPECTED COMMAND...: The output begins with EXPECTED.
+    local expected=$1
     shift
-    case $("$ctl" hid map "$@" 2>/dev/null) in "$wanted"*) ;; *) return 1 ;; esac
+    case $("$ctl" hid map "$@" 2>/dev/null) in "$expected"*) ;; *) return 1 ;; esac
 }
 exits() { # CODE COMMAND...
     local code=$1 got=0

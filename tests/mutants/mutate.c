@@ -38,7 +38,7 @@ struct scan {
     size_t size;
     uint32_t site_count;
     /* Number of the site to find. The scan copies this site to `found`. */
-    uint32_t wanted;
+    uint32_t target;
     struct site found;
 };
 
@@ -46,7 +46,7 @@ static struct scan scan;
 
 static void add(struct site site)
 {
-    if (scan.site_count == scan.wanted) {
+    if (scan.site_count == scan.target) {
         scan.found = site;
     }
     scan.site_count++;
@@ -322,7 +322,7 @@ static int draw(uint32_t count, uint64_t seed, int file_count, char **files)
 {
     static uint32_t order[SITES_MAX], first[SITES_MAX];
     uint32_t total = 0;
-    scan.wanted = UINT32_MAX;
+    scan.target = UINT32_MAX;
     for (int f = 0; f < file_count; f++) {
         first[f] = total;
         read_file(files[f]);
@@ -350,7 +350,7 @@ static int draw(uint32_t count, uint64_t seed, int file_count, char **files)
 
 static int apply(const char *path, uint32_t index)
 {
-    scan.wanted = index;
+    scan.target = index;
     read_file(path);
     if (index >= scan.site_count) {
         fprintf(stderr, "mutate: %s has %u sites\n", path, scan.site_count);

@@ -67,7 +67,7 @@ static void fill_script(uint64_t begin_ns, uint64_t length_ns)
         (struct buttons_sim){ .clock = clock_device(), .events = events, .event_count = count };
 }
 
-static int open_stall(const char *folder, uint32_t state_s)
+static int open_kiosk(const char *folder, uint32_t state_s)
 {
     struct kiosk_config config = { .core = { .seed = 3, .round_s = 10 },
                                    .stopwatch = clock_device() };
@@ -181,7 +181,7 @@ static int run(const char *folder, uint32_t state_s)
 {
     uint64_t dropped = 0;
     tape_begin(&tape, folder, NULL, 0);
-    if (open_stall(folder, state_s) != 0) {
+    if (open_kiosk(folder, state_s) != 0) {
         return 1;
     }
     printf("card: %u s each; the slot as the frame loop sees it\n"

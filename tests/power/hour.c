@@ -72,7 +72,7 @@ static void move_poi(struct hour *hour)
     };
 }
 
-static void live(struct hour *hour)
+static void run_trial(struct hour *hour)
 {
     struct input *input = &hour->input;
     input->pressed = 0;
@@ -255,7 +255,7 @@ void hour_frame(struct hour *hour, struct hal_storage store)
     hour->output.sound_count = 0;
     for (uint32_t i = 0; i < TICKS_A_FRAME; i++) {
         const uint32_t requested = hour->output.tickets;
-        live(hour);
+        run_trial(hour);
         if (core_tick(&hour->core, &hour->input, &hour->output) != CORE_OK) {
             fputs("power: " CPU_FLOAT_WRONG "\n", stderr);
             exit(70);

@@ -109,7 +109,7 @@ static int differs(char why[LEDGER_TOTALS_WHY_SIZE], const char *what, int64_t i
     if (is == should) {
         return 0;
     }
-    snprintf(why, LEDGER_TOTALS_WHY_SIZE, "%s: %lld, and %lld were told", what, (long long)is,
+    snprintf(why, LEDGER_TOTALS_WHY_SIZE, "%s: %lld, and %lld were reported", what, (long long)is,
              (long long)should);
     return 1;
 }

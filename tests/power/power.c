@@ -1,18 +1,18 @@
 /* power.c -- cuts the power after every write and sync of a simulated hour, and checks the
  * remaining files.
  *
- * Usage: power [--cuts N] [--lives N] [--seed N] [--frames N] [--folder DIR] [--jobs N] [--deaf 1]
- * [--journal "MODE SYNC"]
+ * Usage: power [--cuts N] [--trials N] [--seed N] [--frames N] [--folder DIR] [--jobs N]
+ * [--lose-syncs 1] [--journal "MODE SYNC"]
  *
  * The hour (hour.h) is played once with the real core and store, and its file operations are
  * recorded (tape.h). The power is then cut after each operation in several ways (disk.h), N cuts in
  * total. The store opens the remaining files, and its state must be the sum of all entries up to a
  * valid last entry (ledger_totals.h). One opening in 149 is also cut at each of its own file
- * operations. After one cut in 100 the test continues to play (resume.h). Finally N lives with
- * failing file calls are played (lives.h).
+ * operations. After one cut in 100 the test continues to play (resume.h). Finally N trials with
+ * failing file calls are played (trials.h).
  *
- * With --deaf no sync reaches the disk or fails, so that the test must find losses and too few
- * failed calls. Returns exit status 1 if any check fails. */
+ * With --lose-syncs no sync reaches the disk or fails, so that the test must find losses and too
+ * few failed calls. Returns exit status 1 if any check fails. */
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,7 +26,7 @@
 #include "platform/store/storage.h"
 #include "tests/power/cutter.h"
 #include "tests/power/hour.h"
-#include "tests/power/lives.h"
+#include "tests/power/trials.h"
 #include "tests/power/tape.h"
 
 #define FRAMES_AN_HOUR (3600u * 60u)
@@ -34,14 +34,14 @@
  * some tenths of a second on a slow card. */
 #define SYNC_US 200u
 #define JOBS_MAX 16u
-/* Number of lives in a full run, and the number of calls of each kind that must fail in such a run.
- * In a shorter run, at least one call of each kind must fail in every second life. */
-#define LIVES_FULL 600u
+/* Number of trials in a full run, and the number of calls of each kind that must fail in such a
+ * run. In a shorter run, at least one call of each kind must fail in every second trial. */
+#define TRIALS_FULL 600u
 #define FAILED_CALLS_MIN 1000u
 #define PATH_SIZE 300u
 
 struct plan {
-    uint32_t cuts, lives, seed, frames, jobs, deaf;
+    uint32_t cuts, trials, seed, frames, jobs, lose_syncs;
     char folder[200];
     const char *journal; /* Journal mode of SQLite. Null means the default of the store. */
 };
@@ -156,8 +156,9 @@ static int print_result(const struct tally *sum, double seconds)
            (unsigned long long)sum->lost, (unsigned long long)sum->ghosts,
            (unsigned long long)sum->differing, (unsigned long long)sum->unopenable,
            (unsigned long long)sum->replays_lost, (unsigned long long)sum->ahead);
-    printf("  after %llu of them the stall played on for half a minute, and was opened once more\n",
-           (unsigned long long)sum->mornings);
+    printf(
+        "  after %llu of them the kiosk ran for another half minute, and then started once more\n",
+        (unsigned long long)sum->mornings);
     printf("  in %llu cuts one ticket had left the ledger and not begun to come out\n",
            (unsigned long long)sum->tickets_missing);
     if (sum->first[0]) {
@@ -170,9 +171,9 @@ static int print_result(const struct tally *sum, double seconds)
 /* Checks that enough calls of each kind have failed. Otherwise the faults were not injected, and a
  * result without losses would prove nothing. Returns 0. If there were too few calls, prints a line
  * for each kind and returns 1. */
-static int check_failed_calls(const struct lives_tally *sum)
+static int check_failed_calls(const struct trials_tally *sum)
 {
-    const uint64_t least = sum->lives >= LIVES_FULL ? FAILED_CALLS_MIN : sum->lives / 2u;
+    const uint64_t least = sum->trials >= TRIALS_FULL ? FAILED_CALLS_MIN : sum->trials / 2u;
     int has_few = 0;
     for (uint32_t i = 0; i < FAULT_CALL_COUNT; i++) {
         if (sum->failed[i] < least) {
@@ -184,18 +185,18 @@ static int check_failed_calls(const struct lives_tally *sum)
     return has_few;
 }
 
-static int print_lives(const struct lives_tally *sum, double seconds)
+static int print_trials(const struct trials_tally *sum, double seconds)
 {
     const struct tally *cuts = &sum->cuts;
-    printf("  in %llu lives of failing calls (%llu ended by SIGKILL, %llu starts refused)\n"
+    printf("  in %llu trials of failing calls (%llu ended by SIGKILL, %llu starts refused)\n"
            "  calls that failed:",
-           (unsigned long long)sum->lives, (unsigned long long)sum->kills,
+           (unsigned long long)sum->trials, (unsigned long long)sum->kills,
            (unsigned long long)sum->refused_starts);
     for (uint32_t i = 0; i < FAULT_CALL_COUNT; i++) {
         printf(" %llu %s%s", (unsigned long long)sum->failed[i], fault_names[i],
                i + 1u < FAULT_CALL_COUNT ? "," : "\n");
     }
-    printf("  %llu cuts in these lives in %.0f s: %llu lost, %llu doubled, %llu unopenable, "
+    printf("  %llu cuts in these trials in %.0f s: %llu lost, %llu doubled, %llu unopenable, "
            "%llu with other sums, %llu replays lost, %llu graphs lost\n",
            (unsigned long long)cuts->cuts, seconds, (unsigned long long)cuts->lost,
            (unsigned long long)cuts->ghosts, (unsigned long long)cuts->unopenable,
@@ -208,16 +209,16 @@ static int print_lives(const struct lives_tally *sum, double seconds)
            cuts->differing || cuts->replays_lost || cuts->edits_lost || cuts->cuts == 0;
 }
 
-static int run_lives(const struct plan *plan)
+static int run_trials(const struct plan *plan)
 {
     const time_t begin = time(NULL);
-    struct lives_tally sum = { 0 };
-    const struct lives lives = { plan->folder, plan->lives, plan->seed, plan->jobs };
-    if (lives_run(&lives, &sum) != 0) {
+    struct trials_tally sum = { 0 };
+    const struct trials trials = { plan->folder, plan->trials, plan->seed, plan->jobs };
+    if (trials_run(&trials, &sum) != 0) {
         fprintf(stderr, "power: a worker died\n");
         return 1;
     }
-    return print_lives(&sum, difftime(time(NULL), begin));
+    return print_trials(&sum, difftime(time(NULL), begin));
 }
 
 static int read_plan(struct plan *plan, int argc, char **argv)
@@ -229,13 +230,13 @@ static int read_plan(struct plan *plan, int argc, char **argv)
                            .folder = "/dev/shm" };
     int good = 1;
     for (int i = 1; i + 1 < argc; i += 2) {
-        uint32_t *out = strcmp(argv[i], "--cuts") == 0     ? &plan->cuts
-                        : strcmp(argv[i], "--lives") == 0  ? &plan->lives
-                        : strcmp(argv[i], "--seed") == 0   ? &plan->seed
-                        : strcmp(argv[i], "--frames") == 0 ? &plan->frames
-                        : strcmp(argv[i], "--jobs") == 0   ? &plan->jobs
-                        : strcmp(argv[i], "--deaf") == 0   ? &plan->deaf
-                                                           : NULL;
+        uint32_t *out = strcmp(argv[i], "--cuts") == 0         ? &plan->cuts
+                        : strcmp(argv[i], "--trials") == 0     ? &plan->trials
+                        : strcmp(argv[i], "--seed") == 0       ? &plan->seed
+                        : strcmp(argv[i], "--frames") == 0     ? &plan->frames
+                        : strcmp(argv[i], "--jobs") == 0       ? &plan->jobs
+                        : strcmp(argv[i], "--lose-syncs") == 0 ? &plan->lose_syncs
+                                                               : NULL;
         if (strcmp(argv[i], "--journal") == 0) {
             plan->journal = argv[i + 1];
         } else if (strcmp(argv[i], "--folder") == 0) {
@@ -290,7 +291,7 @@ static int run(struct plan *plan)
     }
     snprintf(plan->folder, sizeof plan->folder, "%.190s", folder);
     const int code = plan->cuts > 0 ? run_hour(plan) : 0;
-    return code == 0 && plan->lives > 0 ? run_lives(plan) : code;
+    return code == 0 && plan->trials > 0 ? run_trials(plan) : code;
 }
 
 static void remove_folder(const char *folder)
@@ -306,12 +307,12 @@ int main(int argc, char **argv)
 {
     struct plan plan;
     if (read_plan(&plan, argc, argv) != 0) {
-        fprintf(stderr, "usage: power [--cuts N] [--lives N] [--seed N] [--frames N] "
-                        "[--folder DIR] [--jobs N] [--deaf 1] [--journal \"MODE SYNC\"]\n");
+        fprintf(stderr, "usage: power [--cuts N] [--trials N] [--seed N] [--frames N] "
+                        "[--folder DIR] [--jobs N] [--lose-syncs 1] [--journal \"MODE SYNC\"]\n");
         return 2;
     }
     panic_prepare(NULL, NULL);
-    if (plan.deaf) {
+    if (plan.lose_syncs) {
         tape_ignore_syncs();
     }
     const int code = run(&plan);

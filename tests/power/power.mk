@@ -2,29 +2,29 @@
 
 POWER := $(BUILD)/tests/power/power
 CUTS ?= 50000
-LIVES_POWER ?= 600
+TRIALS_POWER ?= 600
 
-## test/test-power: Cut the power CUTS=50000 times; fail calls in LIVES_POWER=600 runs
+## test/test-power: Cut the power CUTS=50000 times; fail calls in TRIALS_POWER=600 runs
 test-power:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(POWER)
-	@$(POWER) --cuts $(CUTS) --lives $(LIVES_POWER)
+	@$(POWER) --cuts $(CUTS) --trials $(TRIALS_POWER)
 
-$(POWER): $(addprefix $(BUILD)/tests/power/,power.o lives.o cutter.o resume.o tape.o fault.o disk.o disk_cut.o hour.o ledger_totals.o) $(BUILD)/platform/panic_core.o \
+$(POWER): $(addprefix $(BUILD)/tests/power/,power.o trials.o cutter.o resume.o tape.o fault.o disk.o disk_cut.o hour.o ledger_totals.o) $(BUILD)/platform/panic_core.o \
     $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
 .PHONY: test-power
 
-LIVES ?= 100
+TRIALS ?= 100
 PRELOAD := $(BUILD)/tests/power/preload.so
 KIOSK_CHECK := $(BUILD)/tests/power/kiosk_check
 
-## test/test-faults: Run LIVES=100 real kiosks with failing calls; SEED=n
+## test/test-faults: Run TRIALS=100 real kiosks with failing calls; SEED=n
 test-faults:
 	@board/setup.sh test
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/kingyo $(BUILD)/kingyoctl $(PRELOAD) $(KIOSK_CHECK)
-	@BUILD=$(BUILD) tests/power/kiosk_lives.sh $(LIVES) $(SEED)
+	@BUILD=$(BUILD) tests/power/kiosk_trials.sh $(TRIALS) $(SEED)
 
 # The library is self-contained, because it must share no code with the kiosk that loads it.
 PRELOAD_SRC := $(addprefix tests/power/,preload.c kiosk_tape.c tape.c fault.c) core/base/rng.c

@@ -25,7 +25,7 @@ static struct tape *running;
 static char watched[256];
 static size_t watched_size;
 static atomic_uint sync_us;
-static int is_deaf;
+static int loses_syncs;
 static atomic_int is_dead;
 int (*tape_other_write)(const void *bytes, size_t size);
 static atomic_int refusal;
@@ -351,7 +351,7 @@ void tape_fail_writes(int error)
 
 void tape_ignore_syncs(void)
 {
-    is_deaf = 1;
+    loses_syncs = 1;
 }
 
 void tape_set_dead(int is_dead_now)
@@ -364,7 +364,7 @@ void tape_set_dead(int is_dead_now)
 static int note_sync(int fd, enum fault_call call)
 {
     int error = 0;
-    if (running && !is_deaf && fd >= 0 && fd < FD_MAX && (file_of_fd[fd] || is_folder[fd])) {
+    if (running && !loses_syncs && fd >= 0 && fd < FD_MAX && (file_of_fd[fd] || is_folder[fd])) {
         const struct timespec time = { .tv_nsec = 1000L * atomic_load(&sync_us) };
         nanosleep(&time, NULL);
         error = tape_planned_errno(call);

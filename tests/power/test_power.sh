@@ -10,20 +10,20 @@ nothing_is_lost() {
 }
 
 failing_calls_lose_nothing() {
-    "$power" --cuts 0 --lives 24 --seed 5
+    "$power" --cuts 0 --trials 24 --seed 5
 }
 
-missing_faults_are_found() { # With --deaf 1 no sync fails.
-    "$power" --cuts 0 --lives 4 --seed 5 --deaf 1 >"$work/few"
+missing_faults_are_found() { # With --lose-syncs 1 no sync fails.
+    "$power" --cuts 0 --trials 4 --seed 5 --lose-syncs 1 >"$work/few"
     local code=$?
     cat "$work/few"
     [ $code = 1 ]
 }
 
 lost_sync_is_found() {
-    "$power" --cuts 1500 --frames 3600 --seed 7 --deaf 1 >"$work/liar"
+    "$power" --cuts 1500 --frames 3600 --seed 7 --lose-syncs 1 >"$work/lost"
     local code=$?
-    cat "$work/liar"
+    cat "$work/lost"
     [ $code = 1 ]
 }
 
@@ -38,5 +38,5 @@ sed -n -e 's/^  calls that failed: \(.*\)/# figure: failed calls: \1/p' -e 's/^ 
 check 'a run in which too few calls fail is an error' missing_faults_are_found
 check 'the error names the calls that did not fail' grep -qx '  too few failed calls: 0 fsync, expected at least 2' "$work/few"
 check 'a card whose syncs have no effect is detected' lost_sync_is_found
-check 'the number of lost entries of that card is reported' grep -qE '[:,] [1-9][0-9]* (lost|unopenable)' "$work/liar"
+check 'the number of lost entries of that card is reported' grep -qE '[:,] [1-9][0-9]* (lost|unopenable)' "$work/lost"
 echo "1..$count"

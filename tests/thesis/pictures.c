@@ -103,10 +103,11 @@ static double apart_m(void)
     return (double)v3_length(v3_sub(lab.tank.fish[0].position_m, lab.tank.fish[1].position_m));
 }
 
-static bool is_of_its_kind(const struct encounter *wanted)
+static bool is_of_its_kind(const struct encounter *encounter)
 {
     const struct fish *fish = &lab.tank.fish[0];
-    return avoids(0) && fish->avoid_kind == wanted->kind && fish->avoid_turn * wanted->turn > 0.0f;
+    return avoids(0) && fish->avoid_kind == encounter->kind &&
+           fish->avoid_turn * encounter->turn > 0.0f;
 }
 
 /* Returns 1 if both fish have kept their course since `from`. A swimming fish must also have
@@ -127,7 +128,7 @@ static int both_go_on(const struct fish from[2])
 
 /* Finds the ticks of four moments of an encounter: the fish begin to give way, are nearest to each
  * other, end the avoidance, and swim on. Returns 1 if the encounter is like that of the thesis. */
-static int find_moments(const char *words, const struct encounter *wanted, struct moments *found)
+static int find_moments(const char *words, const struct encounter *encounter, struct moments *found)
 {
     struct fish from[2] = { 0 };
     uint8_t gave_way[2] = { 0 };
@@ -142,7 +143,7 @@ static int find_moments(const char *words, const struct encounter *wanted, struc
             found->nearest = lab.tick;
         }
         if (avoids(0) || avoids(1)) {
-            right = found->begins ? right : is_of_its_kind(wanted);
+            right = found->begins ? right : is_of_its_kind(encounter);
             found->begins = found->begins ? found->begins : lab.tick;
             found->done = lab.tick + 1u;
             gave_way[0] |= (uint8_t)avoids(0);
@@ -154,7 +155,7 @@ static int find_moments(const char *words, const struct encounter *wanted, struc
         }
     }
     tank_lab_close(&lab);
-    return right && found->after && gave_way[0] + gave_way[1] == wanted->yields;
+    return right && found->after && gave_way[0] + gave_way[1] == encounter->yields;
 }
 
 static void open_trace(struct tank_trace *trace, const char *name)
@@ -210,13 +211,13 @@ static void frame_all(struct easel_shot *shot, const char *words, const uint32_t
 
 /* Finds the first seed with which the fish meet as in the thesis. Writes the options of the tank
  * with this seed to `words`, and returns the four moments. */
-static struct moments stage_meeting(const struct encounter *wanted, char words[WORDS_LENGTH])
+static struct moments stage_meeting(const struct encounter *encounter, char words[WORDS_LENGTH])
 {
     struct moments found;
     for (uint32_t seed = 1; seed <= SEEDS_MAX; seed++) {
         snprintf(words, WORDS_LENGTH, "--place tests/thesis/%s.csv --seconds 12 --seed %u",
-                 wanted->name, seed);
-        if (find_moments(words, wanted, &found)) {
+                 encounter->name, seed);
+        if (find_moments(words, encounter, &found)) {
             return found;
         }
     }
@@ -224,12 +225,12 @@ static struct moments stage_meeting(const struct encounter *wanted, char words[W
     return found;
 }
 
-static void shoot_meeting(const struct encounter *wanted)
+static void shoot_meeting(const struct encounter *encounter)
 {
     static const char *const moments[4] = { "they begin to give way", "they give way",
                                             "they have given way", "each goes on" };
     char words[WORDS_LENGTH], number[8], seen[160];
-    const struct moments found = stage_meeting(wanted, words);
+    const struct moments found = stage_meeting(encounter, words);
     struct easel_shot shot = { .camera = CAMERA_MEETING };
     /* The second picture shows the moment at which the fish are nearest to each other. If this
      * moment is not during the avoidance, the picture shows the middle of the avoidance instead. */
@@ -237,13 +238,13 @@ static void shoot_meeting(const struct encounter *wanted)
                                 ? found.nearest
                                 : (found.begins + found.done) / 2u;
     const uint32_t ticks[4] = { found.begins, during, found.done, found.after };
-    trace_meeting(wanted->name, words, &found);
+    trace_meeting(encounter->name, words, &found);
     frame_all(&shot, words, ticks);
     open_lab(words);
     for (int i = 0; i < 4; i++) {
         run_until(ticks[i]);
-        snprintf(number, sizeof number, "4.%d", wanted->first + i);
-        snprintf(seen, sizeof seen, "%s: %s (centres %.1f cm apart)", wanted->what, moments[i],
+        snprintf(number, sizeof number, "4.%d", encounter->first + i);
+        snprintf(seen, sizeof seen, "%s: %s (centres %.1f cm apart)", encounter->what, moments[i],
                  100.0 * apart_m());
         shoot(number, &shot, seen, words);
     }

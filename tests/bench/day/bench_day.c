@@ -106,7 +106,7 @@ static enum exit_code run(const struct day_options *options, const char *folder,
     }
     struct progress progress = progress_begin(prefix, options->visitors);
     progress.unit = "visitors";
-    day_init(day, options, table_stall(table));
+    day_init(day, options, table_kiosk(table));
     day->progress = &progress;
     const bool is_played = day_run(day);
     const double took_s = progress_end(&progress);

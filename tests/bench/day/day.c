@@ -93,7 +93,7 @@ static bool play_round(struct day *day)
         group[i] = &day->visitors[day->playing[i]];
         level = group[i]->level > level ? group[i]->level : level;
     }
-    if (!day->stall.play(day->stall.self, group, day->playing_count, level, &round)) {
+    if (!day->kiosk.play(day->kiosk.self, group, day->playing_count, level, &round)) {
         return false;
     }
     day->now_s += round.took_s;
@@ -118,11 +118,11 @@ static bool play_round(struct day *day)
 
 /* ---- Interface ------------------------------------------------------------------------------- */
 
-void day_init(struct day *day, const struct day_options *options, struct day_stall stall)
+void day_init(struct day *day, const struct day_options *options, struct day_kiosk kiosk)
 {
     CORE_ASSERT(options->visitors <= DAY_VISITORS_MAX);
     CORE_ASSERT(options->bowls > 0 && options->bowls <= POI_MAX);
-    *day = (struct day){ .options = options, .stall = stall, .visitor_count = options->visitors };
+    *day = (struct day){ .options = options, .kiosk = kiosk, .visitor_count = options->visitors };
     visitors_draw(day->visitors, options->visitors,
                   &(struct visitor_day){ .hours = (double)options->hours,
                                          .level = options->level,
@@ -141,7 +141,7 @@ bool day_run(struct day *day)
             }
         } else if (day->next < day->visitor_count) {
             const double gap_s = day->visitors[day->next].arrival_s - day->now_s;
-            if (!day->stall.idle(day->stall.self, gap_s)) {
+            if (!day->kiosk.idle(day->kiosk.self, gap_s)) {
                 return false;
             }
             day->now_s += gap_s;

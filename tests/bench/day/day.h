@@ -1,5 +1,5 @@
 /* day.h -- a simulated day at one kiosk: the queue of the visitors, the order in which they play,
- * and the sums of the day. The day calls the kiosk only through struct day_stall, so that a test
+ * and the sums of the day. The day calls the kiosk only through struct day_kiosk, so that a test
  * can replace the kiosk. */
 #ifndef KINGYO_TESTS_BENCH_DAY_DAY_H
 #define KINGYO_TESTS_BENCH_DAY_DAY_H
@@ -43,7 +43,7 @@ struct day_money {
 };
 
 /* Functions of the kiosk that the day calls. Each function returns false if the kiosk failed. */
-struct day_stall {
+struct day_kiosk {
     /* Plays one round with the `count` persons of `group` at the level `level`, and writes the
      * result to `out`. */
     bool (*play)(void *self, const struct visitor *const *group, uint32_t count, uint8_t level,
@@ -55,7 +55,7 @@ struct day_stall {
 
 struct day {
     const struct day_options *options;
-    struct day_stall stall;
+    struct day_kiosk kiosk;
     /* Progress that is printed; null means that no progress is printed. */
     struct progress *progress;
     struct visitor visitors[DAY_VISITORS_MAX];
@@ -78,7 +78,7 @@ struct day {
 };
 
 /* Draws the visitors of the day at random. The day keeps the pointer `options`. */
-void day_init(struct day *day, const struct day_options *options, struct day_stall stall);
+void day_init(struct day *day, const struct day_options *options, struct day_kiosk kiosk);
 
 /* Plays the day until the last visitor has left. Returns false if the kiosk failed. */
 bool day_run(struct day *day);

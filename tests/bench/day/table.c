@@ -186,9 +186,9 @@ bool table_open(struct table *table, const struct day_options *options)
     return kiosk_init(&table->kiosk, &table->hal, &config) == CORE_OK;
 }
 
-struct day_stall table_stall(struct table *table)
+struct day_kiosk table_kiosk(struct table *table)
 {
-    return (struct day_stall){ .play = play, .idle = idle, .self = table };
+    return (struct day_kiosk){ .play = play, .idle = idle, .self = table };
 }
 
 struct day_money table_money(const struct table *table)

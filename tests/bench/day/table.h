@@ -31,7 +31,7 @@ struct table {
 bool table_open(struct table *table, const struct day_options *options);
 
 /* Returns the functions through which the simulated day uses the kiosk of `table`. */
-struct day_stall table_stall(struct table *table);
+struct day_kiosk table_kiosk(struct table *table);
 
 /* Returns the sums of the core's accounts since the start. */
 struct day_money table_money(const struct table *table);

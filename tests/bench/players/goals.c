@@ -74,10 +74,10 @@ static const struct score *find_score(const struct score *scores, uint32_t count
 
 /* If `is_missed` is true, prints the missed target and returns 1. Otherwise returns 0. */
 static uint32_t miss(bool is_missed, const char *player, const char *what, double found,
-                     double wanted)
+                     double target)
 {
     if (is_missed) {
-        printf("  MISSED: %s: %s %.2f, target %.2f\n", player, what, found, wanted);
+        printf("  MISSED: %s: %s %.2f, target %.2f\n", player, what, found, target);
     }
     return is_missed;
 }

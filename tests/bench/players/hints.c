@@ -32,12 +32,12 @@ struct school {
     struct player_round *rounds;
 };
 
-static bool is_wanted(const struct school *school, uint32_t pupil)
+static bool is_selected(const struct school *school, uint32_t pupil)
 {
     return !school->only || strcmp(school->only, school->pupils[pupil].name) == 0;
 }
 
-/* Plays the rounds of all wanted pairs. First all pairs play the first seed, then all pairs play
+/* Plays the rounds of all selected pairs. First all pairs play the first seed, then all pairs play
  * the second seed, and so on. Returns false if there is no memory, or if a round did not end. */
 static bool play_all(struct school *school)
 {
@@ -48,7 +48,7 @@ static bool play_all(struct school *school)
     for (uint32_t i = 0; pool && school->rounds && i < count; i++) {
         const uint32_t pupil = i / 2u % school->pupil_count, seed = i / 2u / school->pupil_count;
         const struct pupil *pair = &school->pupils[pupil];
-        if (is_wanted(school, pupil)) {
+        if (is_selected(school, pupil)) {
             pool[planned++] = (struct pool_round){
                 .habits = i % 2u ? &pair->follows : &pair->ignores,
                 .seed = seed,
@@ -97,7 +97,7 @@ static enum exit_code report(const struct school *school)
            rules_of_level(school->level)->name, school->seeds, "sign", "fault", "without", "with",
            "more", "95 % interval", "better", "worse", "torn", "with");
     for (uint32_t i = 0; i < school->pupil_count; i++) {
-        missed += is_wanted(school, i) && !print_pair(school, i);
+        missed += is_selected(school, i) && !print_pair(school, i);
     }
     printf("\n%s: %u signs of level %s are not shown to raise the catch\n",
            missed == 0 ? "so" : "NOT SO", missed, rules_of_level(school->level)->name);
@@ -107,17 +107,17 @@ static enum exit_code report(const struct school *school)
 int main(int argc, char **argv)
 {
     struct school school = { .only = argc == 4 ? argv[3] : NULL };
-    uint32_t wanted = 0;
+    uint32_t selected = 0;
     school.pupil_count = pupils_init(school.pupils);
     for (uint32_t i = 0; i < school.pupil_count; i++) {
-        wanted += is_wanted(&school, i);
+        selected += is_selected(&school, i);
     }
     if (argc < 3 || argc > 4 || !round_pool_level(argv[2], &school.level) ||
         !number_parse(argv[1], 1, SEEDS_MAX, &school.seeds)) {
         fprintf(stderr, "usage: hints SEEDS LEVEL [SIGN]; SEEDS is 1 to %u\n", SEEDS_MAX);
         return EXIT_USAGE;
     }
-    if (wanted == 0) {
+    if (selected == 0) {
         fprintf(stderr, "%s: no sign '%s'; the signs are", prefix, school.only);
         for (uint32_t i = 0; i < school.pupil_count; i++) {
             fprintf(stderr, " %s", school.pupils[i].name);

@@ -32,8 +32,8 @@ static void show(const uint8_t *bytes, size_t size)
 {
     struct hid_raw raw = { .time_ns = 1000000000u };
     while (size >= 2u || (size == 1u && bytes[0] == NEXT)) {
-        const size_t room = size - 2u, wanted = size > 1u ? bytes[1] : 0u;
-        const size_t taken = bytes[0] == NEXT ? 0u : wanted < room ? wanted : room;
+        const size_t room = size - 2u, requested = size > 1u ? bytes[1] : 0u;
+        const size_t taken = bytes[0] == NEXT ? 0u : requested < room ? requested : room;
         if (bytes[0] == NEXT) {
             hid_learn_next(&learn);
         } else {
@@ -59,8 +59,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     if (size < 2u) {
         return 0;
     }
-    const size_t wanted = (size_t)(bytes[0] | bytes[1] << 8) % (HID_DESCRIPTOR_MAX + 1u);
-    const size_t taken = wanted < size - 2u ? wanted : size - 2u;
+    const size_t requested = (size_t)(bytes[0] | bytes[1] << 8) % (HID_DESCRIPTOR_MAX + 1u);
+    const size_t taken = requested < size - 2u ? requested : size - 2u;
     memcpy(face.descriptor, bytes + 2, taken);
     face.descriptor_size = (uint32_t)taken;
     hid_learn_begin(&learn, &face);

@@ -38,12 +38,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     hid_live_begin(&live, &descriptor, "a device");
     HOLD(live.row_count <= HID_LIVE_ROWS);
     while (at < size) {
-        const size_t left = size - at - 1u, wanted = bytes[at];
-        const size_t taken = wanted < left ? wanted : left;
-        time_ns += wanted * 20000000u;
+        const size_t left = size - at - 1u, requested = bytes[at];
+        const size_t taken = requested < left ? requested : left;
+        time_ns += requested * 20000000u;
         hid_live_report(&live, (struct hid_report){ bytes + at + 1u, taken }, time_ns);
         at += 1u + taken;
-        hold_picture((uint32_t)wanted, (uint32_t)wanted / 2u);
+        hold_picture((uint32_t)requested, (uint32_t)requested / 2u);
     }
     HOLD(live.per_second <= live.report_count);
     return 0;

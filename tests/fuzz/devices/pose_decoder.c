@@ -87,7 +87,7 @@ static void play(const uint8_t *bytes, size_t size)
     struct hid_raw raw = { .time_ns = 1000000000u };
     uint32_t count = 0;
     while (size >= 2u) {
-        const size_t wanted = bytes[1], taken = wanted < size - 2u ? wanted : size - 2u;
+        const size_t requested = bytes[1], taken = requested < size - 2u ? requested : size - 2u;
         raw.time_ns += bytes[0] == 255u ? 8000000000u : bytes[0] * TIME_STEP_NS;
         raw.size = (uint32_t)taken;
         memcpy(raw.bytes, bytes + 2, taken);
@@ -126,8 +126,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     }
     face.identity.vendor = word_at(bytes);
     face.identity.product = word_at(bytes + 2);
-    const size_t wanted = word_at(bytes + 4) % (HID_DESCRIPTOR_MAX + 1u);
-    const size_t taken = wanted < size - 6u ? wanted : size - 6u;
+    const size_t requested = word_at(bytes + 4) % (HID_DESCRIPTOR_MAX + 1u);
+    const size_t taken = requested < size - 6u ? requested : size - 6u;
     memcpy(face.descriptor, bytes + 6, taken);
     face.descriptor_size = (uint32_t)taken;
     bytes += 6u + taken;

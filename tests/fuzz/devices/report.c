@@ -80,8 +80,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         return 0;
     }
     while (at < size) {
-        const size_t left = size - at - 1u, wanted = bytes[at];
-        const size_t taken = wanted < left ? wanted : left;
+        const size_t left = size - at - 1u, requested = bytes[at];
+        const size_t taken = requested < left ? requested : left;
         hold_copy(bytes + at + 1u, taken);
         at += 1u + taken;
     }

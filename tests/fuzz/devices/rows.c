@@ -31,13 +31,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     char *rest = NULL;
     char head[8] = "";
     memcpy(head, bytes, size < sizeof head - 1u ? size : sizeof head - 1u);
-    const size_t wanted = (size_t)strtoul(head, &rest, 16);
+    const size_t requested = (size_t)strtoul(head, &rest, 16);
     if (*rest != '\n') {
         return 0;
     }
     bytes += rest + 1 - head;
     size -= (size_t)(rest + 1 - head);
-    const size_t taken = wanted < size ? wanted : size;
+    const size_t taken = requested < size ? requested : size;
     memcpy(file_bytes, bytes, taken < sizeof file_bytes ? taken : sizeof file_bytes);
     const enum exit_code code = hid_file_take(&descriptor, file_bytes, taken, "descriptor");
     HOLD(code == EXIT_OK || code == EXIT_BAD_DATA);

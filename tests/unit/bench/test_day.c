@@ -61,7 +61,7 @@ static void play_day(const struct day_options *options, double round_s, uint32_t
 {
     fake = (struct fake_kiosk){ .round_s = round_s, .caught = caught };
     day_init(&day, options,
-             (struct day_stall){ .play = fake_play, .idle = fake_idle, .self = &fake });
+             (struct day_kiosk){ .play = fake_play, .idle = fake_idle, .self = &fake });
     assert_true(day_run(&day));
 }
 
@@ -233,7 +233,7 @@ static void test_failed_kiosk_ends_the_day(void **state)
     (void)state;
     fake = (struct fake_kiosk){ .round_s = 60.0, .fails = true };
     day_init(&day, &usual,
-             (struct day_stall){ .play = fake_play, .idle = fake_idle, .self = &fake });
+             (struct day_kiosk){ .play = fake_play, .idle = fake_idle, .self = &fake });
     assert_false(day_run(&day));
     assert_int_equal(fake.rounds, 1);
 }

@@ -19,9 +19,9 @@ static struct display_transform turned(uint32_t rotation)
                                 WIDTH, HEIGHT);
 }
 
-static void assert_near(float is, float wanted)
+static void assert_near(float is, float expected)
 {
-    assert_float_equal(is, wanted, 1e-3f);
+    assert_float_equal(is, expected, 1e-3f);
 }
 
 static void test_an_untransformed_picture_fills_the_screen(void **state)

@@ -12,11 +12,11 @@
 #include "core/pin.h"
 #include "core/settings.h"
 
-static void expect_digest(const char *message, const uint32_t wanted[SHA256_WORDS])
+static void expect_digest(const char *message, const uint32_t expected[SHA256_WORDS])
 {
     uint32_t digest[SHA256_WORDS];
     sha256_short((const uint8_t *)message, strlen(message), digest);
-    assert_memory_equal(digest, wanted, sizeof digest);
+    assert_memory_equal(digest, expected, sizeof digest);
 }
 
 /* Test vectors from csrc.nist.gov ("Example algorithms"). The second message is empty. */
@@ -34,12 +34,12 @@ static void test_digests_equal_those_of_the_standard(void **state)
 static void test_the_longest_message_fits_beside_its_padding(void **state)
 {
     (void)state;
-    static const uint32_t wanted[] = { 0x9f4390f8, 0xd30c2dd9, 0x2ec9f095, 0xb65e2b9a,
-                                       0xe9b0a925, 0xa5258e24, 0x1c9f1e91, 0x0f734318 };
+    static const uint32_t expected[] = { 0x9f4390f8, 0xd30c2dd9, 0x2ec9f095, 0xb65e2b9a,
+                                         0xe9b0a925, 0xa5258e24, 0x1c9f1e91, 0x0f734318 };
     char message[SHA256_MESSAGE_MAX + 1u];
     memset(message, 'a', SHA256_MESSAGE_MAX);
     message[SHA256_MESSAGE_MAX] = '\0';
-    expect_digest(message, wanted);
+    expect_digest(message, expected);
 }
 
 static void test_a_hidden_pin_matches_its_digits(void **state)

@@ -17,7 +17,7 @@ static struct scene scene;
 static struct input input;
 static struct output output;
 
-static int open_stall(void **state)
+static int open_fixture(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 3, .fish_count = 300, .round_s = 60 };
@@ -115,7 +115,7 @@ static void test_a_pump_runs_only_in_a_preset_with_a_pump(void **state)
     assert_false(core.world.tank.oxygen.pump);
     core_scene(&core, &scene);
     assert_false(scene.pump.present);
-    open_stall(state);
+    open_fixture(state);
     core.game.tick = GAME_STALE_TICKS + 5u;
     run(1);
     assert_true(core.world.tank.oxygen.pump);
@@ -128,10 +128,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_pump_pauses_periodically_and_during_a_round),
-        cmocka_unit_test_setup(test_fish_rise_for_air_and_dive_again_in_attract, open_stall),
+        cmocka_unit_test_setup(test_fish_rise_for_air_and_dive_again_in_attract, open_fixture),
         cmocka_unit_test_setup(test_a_round_that_starts_in_stale_water_ends_with_gulping_fish,
-                               open_stall),
-        cmocka_unit_test_setup(test_a_pump_runs_only_in_a_preset_with_a_pump, open_stall),
+                               open_fixture),
+        cmocka_unit_test_setup(test_a_pump_runs_only_in_a_preset_with_a_pump, open_fixture),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

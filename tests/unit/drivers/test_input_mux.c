@@ -21,10 +21,10 @@ static const uint8_t kinds[COUNT] = { INPUT_KIND_USB,     INPUT_KIND_USB,     IN
                                       INPUT_KIND_USB,     INPUT_KIND_GAMEPAD, INPUT_KIND_GAMEPAD,
                                       INPUT_KIND_GAMEPAD, INPUT_KIND_GAMEPAD, INPUT_KIND_POINTER };
 
-static void assert_share(uint8_t slot[POI_MAX], uint32_t there, const uint8_t wanted[POI_MAX])
+static void assert_share(uint8_t slot[POI_MAX], uint32_t there, const uint8_t expected[POI_MAX])
 {
     input_mux_assign(slot, kinds, COUNT, there);
-    assert_memory_equal(slot, wanted, POI_MAX);
+    assert_memory_equal(slot, expected, POI_MAX);
 }
 
 static void test_the_best_controller_gets_the_first_slot(void **state)

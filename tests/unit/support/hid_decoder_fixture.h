@@ -23,7 +23,7 @@ static inline void connect(const char *name, uint16_t vendor, uint16_t product)
     wire.face.identity.vendor = vendor;
     wire.face.identity.product = product;
     hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
-    assert_int_equal(hid_pose_decoder_init(&decoder, &wire.face, &map, stall_view()), 0);
+    assert_int_equal(hid_pose_decoder_init(&decoder, &wire.face, &map, festival_view()), 0);
     now_ms = 1000;
 }
 

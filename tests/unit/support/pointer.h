@@ -10,7 +10,7 @@
 #define HEIGHT 720u
 
 /* Returns the camera view of the festival's tank. */
-static inline const struct view *stall_view(void)
+static inline const struct view *festival_view(void)
 {
     return &tank_preset(TANK_PRESET_FESTIVAL)->view;
 }
@@ -31,7 +31,7 @@ static inline struct pointer_report report(uint64_t ms, float x_px, float y_px, 
 /* Returns the point of the still water surface (y = 0) that is visible at a pixel. */
 static inline vec3 on_water(float x_px, float y_px)
 {
-    return view_point_on_plane(stall_view(), (float)WIDTH / (float)HEIGHT,
+    return view_point_on_plane(festival_view(), (float)WIDTH / (float)HEIGHT,
                                2.0f * x_px / (float)WIDTH - 1.0f,
                                1.0f - 2.0f * y_px / (float)HEIGHT, 0.0f);
 }

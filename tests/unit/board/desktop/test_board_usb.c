@@ -40,7 +40,7 @@ static struct {
     uint32_t poi;     /* Index of the poi on the simulated bus. */
     uint8_t is_in;    /* 1 if the poi is plugged in. */
     uint8_t sequence; /* Sequence number of the next report. */
-} stall;
+} rig;
 
 static const struct kiosk_config config = {
     .core = { .seed = 3, .fish_count = 20, .credit_coins = 1 },
@@ -58,28 +58,28 @@ static int open_stall_at(const char *folder)
         .data_dir = folder,
         .view = tank_preset(TANK_PRESET_FESTIVAL)->view,
     };
-    board_open(&stall.hal, &options);
-    stall.is_in = 0;
-    const int result = kiosk_init(&stall.kiosk, &stall.hal, &config);
+    board_open(&rig.hal, &options);
+    rig.is_in = 0;
+    const int result = kiosk_init(&rig.kiosk, &rig.hal, &config);
     /* Replaces the display, because drawing would take longer than all other work. */
-    stall.real = stall.hal;
-    stall.hal.display = null_hal("not drawn").display;
-    stall.hal.storage = storage_sim_device(&stall.storage);
+    rig.real = rig.hal;
+    rig.hal.display = null_hal("not drawn").display;
+    rig.hal.storage = storage_sim_device(&rig.storage);
     return result;
 }
 
-static int open_stall(void **state)
+static int open_fixture(void **state)
 {
     (void)state;
     return open_stall_at(NULL);
 }
 
-static int close_stall(void **state)
+static int close_fixture(void **state)
 {
     (void)state;
-    stall.hal.display = stall.real.display;
-    stall.hal.storage = stall.real.storage;
-    board_close(&stall.hal);
+    rig.hal.display = rig.real.display;
+    rig.hal.storage = rig.real.storage;
+    board_close(&rig.hal);
     assert_int_equal(usb_sim_end(), 0);
     assert_int_equal(usb_sim_breaches(), 0);
     return 0;
@@ -87,14 +87,14 @@ static int close_stall(void **state)
 
 static void plug(void)
 {
-    stall.poi = usb_sim_plug(&unbound_poi, 1);
-    stall.is_in = 1;
+    rig.poi = usb_sim_plug(&unbound_poi, 1);
+    rig.is_in = 1;
 }
 
 static void unplug(enum usb_sim_unplug_order how)
 {
-    stall.is_in = 0;
-    usb_sim_unplug(stall.poi, how);
+    rig.is_in = 0;
+    usb_sim_unplug(rig.poi, how);
 }
 
 /* Sends the pose of a poi that hovers over the middle of the tank. */
@@ -102,40 +102,40 @@ static void send_pose(void)
 {
     uint8_t bytes[POI_REPORT_SIZE];
     const struct poi_report report = {
-        .target.position_m = v3(0.0f, 0.05f + 0.001f * (float)(stall.sequence % 5), 0.0f),
-        .sequence = stall.sequence++,
+        .target.position_m = v3(0.0f, 0.05f + 0.001f * (float)(rig.sequence % 5), 0.0f),
+        .sequence = rig.sequence++,
     };
     poi_report_encode(&report, bytes);
-    usb_sim_report(stall.poi, bytes, sizeof bytes);
+    usb_sim_report(rig.poi, bytes, sizeof bytes);
 }
 
 static void frame(void)
 {
-    if (stall.is_in) {
+    if (rig.is_in) {
         send_pose();
     }
     usleep(FRAME_US);
-    assert_int_equal(kiosk_frame(&stall.kiosk, &stall.hal), KIOSK_RUNS);
+    assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_RUNS);
 }
 
 static bool is_on_usb(void)
 {
-    return stall.kiosk.input.poi[0].link == POI_SOURCE_LIVE && stall.kiosk.input.poi[0].has_wrist;
+    return rig.kiosk.input.poi[0].link == POI_SOURCE_LIVE && rig.kiosk.input.poi[0].has_wrist;
 }
 
 static bool is_lost(void)
 {
-    return stall.kiosk.input.poi[0].link == POI_SOURCE_LOST;
+    return rig.kiosk.input.poi[0].link == POI_SOURCE_LOST;
 }
 
 static bool is_in_round(void)
 {
-    return stall.kiosk.core.game.phase == PHASE_ROUND;
+    return rig.kiosk.core.game.phase == PHASE_ROUND;
 }
 
 static bool is_held(void)
 {
-    return player_has_poi(&stall.kiosk.core.world, 0);
+    return player_has_poi(&rig.kiosk.core.world, 0);
 }
 
 static void until(bool (*holds)(void))
@@ -148,9 +148,9 @@ static void until(bool (*holds)(void))
 
 static void begin_round(void)
 {
-    stall.kiosk.input.coin_count[0] = 2;
+    rig.kiosk.input.coin_count[0] = 2;
     frame();
-    stall.kiosk.input.pressed = INPUT_START;
+    rig.kiosk.input.pressed = INPUT_START;
     until(is_in_round);
     until(is_held);
 }
@@ -159,16 +159,16 @@ static void test_a_new_poi_gets_the_first_slot_of_the_mouse(void **state)
 {
     (void)state;
     frame();
-    assert_false(stall.kiosk.input.poi[0].has_wrist);
+    assert_false(rig.kiosk.input.poi[0].has_wrist);
     /* The mouse controls the poi of slot 0. */
-    assert_int_equal(stall.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
+    assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
     plug();
     until(is_on_usb);
     /* The mouse has moved to slot 1. The slot has no input yet, because the mouse was not moved
      * since. */
-    assert_int_equal(stall.kiosk.input.poi[1].link, POI_SOURCE_ABSENT);
-    assert_int_equal(stall.kiosk.faults.poi, 0);
-    assert_true(stall.kiosk.report_wait.count > 0);
+    assert_int_equal(rig.kiosk.input.poi[1].link, POI_SOURCE_ABSENT);
+    assert_int_equal(rig.kiosk.faults.poi, 0);
+    assert_true(rig.kiosk.report_wait.count > 0);
 }
 
 static void test_the_mouse_keeps_its_slot_during_a_round(void **state)
@@ -178,7 +178,7 @@ static void test_the_mouse_keeps_its_slot_during_a_round(void **state)
     plug();
     for (uint32_t i = 0; i < 100; i++) {
         frame();
-        assert_false(stall.kiosk.input.poi[0].has_wrist);
+        assert_false(rig.kiosk.input.poi[0].has_wrist);
     }
     assert_true(is_in_round());
 }
@@ -188,10 +188,10 @@ static void test_a_usb_poi_gets_force_output(void **state)
     (void)state;
     plug();
     until(is_on_usb);
-    for (uint32_t i = 0; i < FRAMES_MAX && usb_sim_seen(stall.poi).outs == 0; i++) {
+    for (uint32_t i = 0; i < FRAMES_MAX && usb_sim_seen(rig.poi).outs == 0; i++) {
         frame();
     }
-    const struct usb_sim_seen seen = usb_sim_seen(stall.poi);
+    const struct usb_sim_seen seen = usb_sim_seen(rig.poi);
     assert_true(seen.outs > 0);
     assert_int_equal(seen.out_size, POI_FORCE_SIZE);
     assert_int_equal(seen.out[0], POI_FORCE_ID);
@@ -201,10 +201,10 @@ static void test_a_usb_poi_gets_force_output(void **state)
  * the time from plugging in to the first pose that the game receives. */
 static void lose_and_find(enum usb_sim_unplug_order how)
 {
-    const uint32_t credits = balance_credits(&stall.kiosk.core);
+    const uint32_t credits = balance_credits(&rig.kiosk.core);
     unplug(how);
     if (how == USB_SIM_LATE) {
-        usb_sim_announce(stall.poi);
+        usb_sim_announce(rig.poi);
     }
     until(is_lost);
     assert_false(is_held());
@@ -219,7 +219,7 @@ static void lose_and_find(enum usb_sim_unplug_order how)
     until(is_held);
     print_message("back in the input after %.1f ms\n", (double)back_ns * 1e-6);
     assert_true(is_in_round());
-    assert_int_equal(balance_credits(&stall.kiosk.core), credits);
+    assert_int_equal(balance_credits(&rig.kiosk.core), credits);
 }
 
 static void test_a_round_pauses_while_the_poi_is_unplugged(void **state)
@@ -235,7 +235,7 @@ static void test_a_round_pauses_while_the_poi_is_unplugged(void **state)
 
 static bool has_mouse(void)
 {
-    return stall.kiosk.input.poi[0].link == POI_SOURCE_LIVE && !stall.kiosk.input.poi[0].has_wrist;
+    return rig.kiosk.input.poi[0].link == POI_SOURCE_LIVE && !rig.kiosk.input.poi[0].has_wrist;
 }
 
 /* The mouse must not take over the slot of a poi during a round. In the next game it may get the
@@ -253,8 +253,8 @@ static void test_the_mouse_gets_the_slot_of_an_absent_poi_in_the_next_game(void 
         assert_true(is_lost());
     }
     /* Sets attract mode directly, because the kiosk would return to it only after one minute. */
-    stall.kiosk.core.game.phase = PHASE_ATTRACT;
-    stall.kiosk.output.phase = PHASE_ATTRACT;
+    rig.kiosk.core.game.phase = PHASE_ATTRACT;
+    rig.kiosk.output.phase = PHASE_ATTRACT;
     until(has_mouse);
 }
 
@@ -282,7 +282,7 @@ static void test_a_stored_choice_is_excluded_from_sdl_at_the_start(void **state)
         frame();
         hint_is("0x054c/0x09cc,");
     }
-    close_stall(NULL);
+    close_fixture(NULL);
     snprintf(command, sizeof command, "rm -r %s", folder);
     assert_int_equal(system(command), 0);
 }
@@ -290,16 +290,17 @@ static void test_a_stored_choice_is_excluded_from_sdl_at_the_start(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_a_new_poi_gets_the_first_slot_of_the_mouse, open_stall,
-                                        close_stall),
-        cmocka_unit_test_setup_teardown(test_the_mouse_keeps_its_slot_during_a_round, open_stall,
-                                        close_stall),
-        cmocka_unit_test_setup_teardown(test_a_usb_poi_gets_force_output, open_stall, close_stall),
-        cmocka_unit_test_setup_teardown(test_a_round_pauses_while_the_poi_is_unplugged, open_stall,
-                                        close_stall),
+        cmocka_unit_test_setup_teardown(test_a_new_poi_gets_the_first_slot_of_the_mouse,
+                                        open_fixture, close_fixture),
+        cmocka_unit_test_setup_teardown(test_the_mouse_keeps_its_slot_during_a_round, open_fixture,
+                                        close_fixture),
+        cmocka_unit_test_setup_teardown(test_a_usb_poi_gets_force_output, open_fixture,
+                                        close_fixture),
+        cmocka_unit_test_setup_teardown(test_a_round_pauses_while_the_poi_is_unplugged,
+                                        open_fixture, close_fixture),
         cmocka_unit_test_setup_teardown(
-            test_the_mouse_gets_the_slot_of_an_absent_poi_in_the_next_game, open_stall,
-            close_stall),
+            test_the_mouse_gets_the_slot_of_an_absent_poi_in_the_next_game, open_fixture,
+            close_fixture),
         cmocka_unit_test(test_a_stored_choice_is_excluded_from_sdl_at_the_start),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

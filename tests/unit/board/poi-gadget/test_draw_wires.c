@@ -12,9 +12,9 @@
 #include "core/base/rng.h"
 
 /* Positions of the three wire spools above the tank, as in poi.conf. */
-static const vec3 stall_m[3] = { { -0.45f, 0.75f, -0.30f },
-                                 { 0.45f, 0.75f, -0.30f },
-                                 { 0.0f, 0.75f, 0.35f } };
+static const vec3 mounts_m[3] = { { -0.45f, 0.75f, -0.30f },
+                                  { 0.45f, 0.75f, -0.30f },
+                                  { 0.0f, 0.75f, 0.35f } };
 
 static float drawn(uint32_t n, uint32_t what, float low, float high)
 {
@@ -36,8 +36,8 @@ static void test_the_position_follows_from_the_wire_lengths(void **state)
         const vec3 eye_m = place_m(n);
         float length_m[3];
         vec3 found_m;
-        draw_wires_lengths(stall_m, eye_m, length_m);
-        assert_int_equal(draw_wires_meet(stall_m, length_m, &found_m), DRAW_WIRES_OK);
+        draw_wires_lengths(mounts_m, eye_m, length_m);
+        assert_int_equal(draw_wires_meet(mounts_m, length_m, &found_m), DRAW_WIRES_OK);
         assert_true(v3_length(v3_sub(found_m, eye_m)) < 1e-5f);
     }
 }
@@ -66,11 +66,11 @@ static void test_one_converter_count_moves_the_position_by_about_1_mm(void **sta
         const vec3 eye_m = place_m(n);
         float length_m[3];
         vec3 found_m;
-        draw_wires_lengths(stall_m, eye_m, length_m);
+        draw_wires_lengths(mounts_m, eye_m, length_m);
         for (uint32_t i = 0; i < 3; i++) {
             length_m[i] += drawn(n, 3 + i, -1.0f, 1.0f) < 0.0f ? -0.000244f : 0.000244f;
         }
-        assert_int_equal(draw_wires_meet(stall_m, length_m, &found_m), DRAW_WIRES_OK);
+        assert_int_equal(draw_wires_meet(mounts_m, length_m, &found_m), DRAW_WIRES_OK);
         worst_m = f_max(worst_m, v3_length(v3_sub(found_m, eye_m)));
     }
     print_message("# a step of 0.244 mm on each wire: at worst %.2f mm\n",
@@ -99,7 +99,7 @@ static void test_impossible_lengths_are_rejected_and_the_position_is_kept(void *
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         vec3 kept_m = { 7, 7, 7 };
-        assert_int_equal(draw_wires_meet(stall_m, bad[i].length_m, &kept_m), bad[i].result);
+        assert_int_equal(draw_wires_meet(mounts_m, bad[i].length_m, &kept_m), bad[i].result);
         assert_float_equal(kept_m.x + kept_m.y + kept_m.z, 21.0f, 0.0f);
         assert_true(strlen(draw_wires_text(bad[i].result)) > 10);
     }
@@ -111,7 +111,7 @@ static void test_collinear_or_upright_spools_are_rejected(void **state)
     const vec3 row_m[3] = { { -0.4f, 0.7f, 0 }, { 0, 0.7f, 0.01f }, { 0.4f, 0.7f, 0 } };
     const vec3 wall_m[3] = { { -0.4f, 0.2f, 0 }, { 0.4f, 0.2f, 0 }, { 0, 0.9f, 0 } };
     const vec3 twins_m[3] = { { -0.4f, 0.7f, 0 }, { -0.4f, 0.7f, 0 }, { 0, 0.7f, 0.4f } };
-    assert_true(draw_wires_is_determined(stall_m));
+    assert_true(draw_wires_is_determined(mounts_m));
     assert_false(draw_wires_is_determined(row_m));
     assert_false(draw_wires_is_determined(wall_m));
     assert_false(draw_wires_is_determined(twins_m));

@@ -34,37 +34,37 @@ static struct {
     struct pose_source source;
     uint64_t next_report_ns;
     uint8_t sequence;
-} stall;
+} rig;
 
 static void frame(void)
 {
-    stall.clock.now_ns += FRAME_NS;
-    for (; stall.next_report_ns <= stall.clock.now_ns; stall.next_report_ns += REPORT_NS) {
+    rig.clock.now_ns += FRAME_NS;
+    for (; rig.next_report_ns <= rig.clock.now_ns; rig.next_report_ns += REPORT_NS) {
         struct poi_report report;
         uint8_t bytes[POI_REPORT_SIZE];
-        stall.source.step(stall.source.self, (float)REPORT_NS * 1e-9f, &report);
-        report.sequence = stall.sequence++;
+        rig.source.step(rig.source.self, (float)REPORT_NS * 1e-9f, &report);
+        report.sequence = rig.sequence++;
         poi_report_encode(&report, bytes);
-        hid_port_sim_report(&stall.wire.port, bytes, sizeof bytes);
+        hid_port_sim_report(&rig.wire.port, bytes, sizeof bytes);
     }
-    kiosk_frame(&stall.kiosk, &stall.hal);
+    kiosk_frame(&rig.kiosk, &rig.hal);
 }
 
 static void begin(uint32_t seed)
 {
     const struct kiosk_config config = { .core = { .seed = seed, .fish_count = 300 } };
-    memset(&stall, 0, sizeof stall);
-    wire_begin(&stall.wire, &stall.clock, poi_descriptor, POI_DESCRIPTOR_SIZE);
-    poi_config_init(&stall.config);
-    sensor_twin_calibrate(&stall.config);
-    stall.source = sensor_twin_source(&stall.twin, &stall.config);
-    stall.hal = null_hal(NULL);
-    stall.hal.clock = sim_clock_device(&stall.clock);
-    poi_hid_init(&stall.poi, &stall.wire.port.port, stall.hal.clock, (struct hid_mapper){ 0 },
+    memset(&rig, 0, sizeof rig);
+    wire_begin(&rig.wire, &rig.clock, poi_descriptor, POI_DESCRIPTOR_SIZE);
+    poi_config_init(&rig.config);
+    sensor_twin_calibrate(&rig.config);
+    rig.source = sensor_twin_source(&rig.twin, &rig.config);
+    rig.hal = null_hal(NULL);
+    rig.hal.clock = sim_clock_device(&rig.clock);
+    poi_hid_init(&rig.poi, &rig.wire.port.port, rig.hal.clock, (struct hid_mapper){ 0 },
                  &tank_preset(TANK_PRESET_FESTIVAL)->view);
-    stall.hal.poi[0] = poi_hid_devices(&stall.poi).poi;
-    stall.hal.buttons = poi_hid_devices(&stall.poi).buttons;
-    assert_int_equal(kiosk_init(&stall.kiosk, &stall.hal, &config), CORE_OK);
+    rig.hal.poi[0] = poi_hid_devices(&rig.poi).poi;
+    rig.hal.buttons = poi_hid_devices(&rig.poi).buttons;
+    assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
 }
 
 static void test_a_simulated_poi_starts_a_round_and_catches_fish(void **state)
@@ -74,18 +74,18 @@ static void test_a_simulated_poi_starts_a_round_and_catches_fish(void **state)
     for (uint32_t seed = 1; seed <= 2; seed++) {
         begin(seed);
         for (uint32_t n = 0; n < 90 * 60; n++) {
-            const struct game *game = &stall.kiosk.core.game;
+            const struct game *game = &rig.kiosk.core.game;
             const uint8_t before = game->phase;
             const uint32_t caught = game->player[0].caught;
-            const float before_m = stall.kiosk.core.world.poi[0].position_m.y;
+            const float before_m = rig.kiosk.core.world.poi[0].position_m.y;
             frame();
             const int plays = game->phase == PHASE_ROUND;
             rounds += plays && before != PHASE_ROUND;
             round_frames += (uint32_t)plays;
-            lost_frames += plays && controller_is_lost(&stall.kiosk.core.world, 0);
+            lost_frames += plays && controller_is_lost(&rig.kiosk.core.world, 0);
             landed += game->player[0].caught > caught ? game->player[0].caught - caught : 0;
             dips +=
-                plays && before_m > -0.02f && stall.kiosk.core.world.poi[0].position_m.y <= -0.02f;
+                plays && before_m > -0.02f && rig.kiosk.core.world.poi[0].position_m.y <= -0.02f;
         }
     }
     print_message("# %u rounds, %u frames: %u fish in %u dips; %u frames not believed\n", rounds,
@@ -96,7 +96,7 @@ static void test_a_simulated_poi_starts_a_round_and_catches_fish(void **state)
     /* The motion follows a script that does not aim at fish. The test therefore requires only half
      * of the fish that a player usually catches. */
     assert_true(landed >= 4);
-    assert_int_equal(stall.poi.decoder.refused_count + stall.poi.decoder.gap_count, 0);
+    assert_int_equal(rig.poi.decoder.refused_count + rig.poi.decoder.gap_count, 0);
 }
 
 int main(void)

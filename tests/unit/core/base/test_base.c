@@ -11,11 +11,11 @@
 #include "core/base/rng.h"
 #include "core/base/vec.h"
 
-static void assert_vec3_near(vec3 actual, vec3 wanted)
+static void assert_vec3_near(vec3 actual, vec3 expected)
 {
-    if (v3_length(v3_sub(actual, wanted)) > 1e-5f) {
+    if (v3_length(v3_sub(actual, expected)) > 1e-5f) {
         fail_msg("(%g, %g, %g), not (%g, %g, %g)", (double)actual.x, (double)actual.y,
-                 (double)actual.z, (double)wanted.x, (double)wanted.y, (double)wanted.z);
+                 (double)actual.z, (double)expected.x, (double)expected.y, (double)expected.z);
     }
 }
 

@@ -23,13 +23,13 @@ static void check_sweep(const struct sweep *sweep)
     const uint32_t steps = 200000;
     for (uint32_t i = 0; i <= steps; i++) {
         const float x = sweep->low + (sweep->high - sweep->low) * ((float)i / (float)steps);
-        const double wanted = sweep->theirs((double)x);
-        double error = fabs((double)sweep->ours(x) - wanted);
+        const double expected = sweep->theirs((double)x);
+        double error = fabs((double)sweep->ours(x) - expected);
         if (sweep->relative) {
-            error /= fabs(wanted);
+            error /= fabs(expected);
         }
         if (!(error <= sweep->error_max)) {
-            fail_msg("at %.9g: %.9g, not %.9g", (double)x, (double)sweep->ours(x), wanted);
+            fail_msg("at %.9g: %.9g, not %.9g", (double)x, (double)sweep->ours(x), expected);
         }
     }
 }

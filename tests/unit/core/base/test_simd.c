@@ -55,11 +55,11 @@ static flanes values(uint32_t round, uint32_t who)
     return a;
 }
 
-static void check(flanes got, int lane, float wanted, const char *what, float x, float y)
+static void check(flanes got, int lane, float expected, const char *what, float x, float y)
 {
-    if (bits_of(got[lane]) != bits_of(wanted)) {
+    if (bits_of(got[lane]) != bits_of(expected)) {
         fail_msg("%s(%.9g, %.9g): lane %d has %.9g, the scalar form %.9g", what, (double)x,
-                 (double)y, lane, (double)got[lane], (double)wanted);
+                 (double)y, lane, (double)got[lane], (double)expected);
     }
 }
 
@@ -177,8 +177,8 @@ static void test_quads_of_records_transpose_to_columns_and_back(void **state)
             if (is_copied) {
                 check(column[member - 2], lane, record[lane][member], "column", 0.0f, 0.0f);
             }
-            const float wanted = is_copied ? record[lane][member] : -1.0f;
-            assert_float_equal(copy[lane][member], wanted, 0.0f);
+            const float expected = is_copied ? record[lane][member] : -1.0f;
+            assert_float_equal(copy[lane][member], expected, 0.0f);
         }
     }
 }

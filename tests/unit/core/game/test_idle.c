@@ -71,7 +71,7 @@ static void expect_attract_by_itself(enum left_behind what, const char *where)
 }
 
 /* Opens a kiosk with all game modes. The kiosk has a store, so that players may enter names. */
-static void open_stall(void)
+static void open_fixture(void)
 {
     struct core_config config = { .seed = 7, .fish_count = 12, .persistent.ledger.boots = 1 };
     settings_reset(&config.persistent.settings);
@@ -87,7 +87,7 @@ static void open_stall(void)
 /* Presses buttons to go from the mode selection into a round of the mode `choice`. */
 static void begin_playing(uint32_t choice)
 {
-    open_stall();
+    open_fixture();
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     steps(GAME_MODE_SELECT_TICKS_MIN);
@@ -113,7 +113,7 @@ static void test_the_mode_selection_times_out(void **state)
 {
     (void)state;
     for (enum left_behind what = 0; what < LEFT_COUNT; what++) {
-        open_stall();
+        open_fixture();
         press(INPUT_START);
         assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
         expect_attract_by_itself(what, "the choice");
@@ -150,7 +150,7 @@ static void test_every_page_of_the_menu_times_out(void **state)
     (void)state;
     for (uint32_t page = 0; page < MENU_PAGE_COUNT; page++) {
         for (enum left_behind what = 0; what < LEFT_COUNT; what++) {
-            open_stall();
+            open_fixture();
             press(INPUT_TEST);
             assert_int_equal(core.game.phase, PHASE_MENU);
             menu_turn(&core.game.menu, &core.game, &core.config.persistent.settings,
@@ -167,7 +167,7 @@ static void test_every_page_of_the_menu_times_out(void **state)
 static void test_a_moving_poi_keeps_the_menu_open_for_15_minutes(void **state)
 {
     (void)state;
-    open_stall();
+    open_fixture();
     press(INPUT_TEST);
     const uint32_t begin = core.game.tick;
     while (core.game.phase == PHASE_MENU && core.game.tick - begin <= LONGEST_TICKS) {
@@ -181,7 +181,7 @@ static void test_a_moving_poi_keeps_the_menu_open_for_15_minutes(void **state)
 static void test_occasional_buttons_keep_the_menu_open(void **state)
 {
     (void)state;
-    open_stall();
+    open_fixture();
     press(INPUT_TEST);
     for (uint32_t i = 0; i < 5u; i++) {
         steps(MENU_IDLE_TICKS - 10u);

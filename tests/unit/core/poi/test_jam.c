@@ -53,7 +53,7 @@ static void play_tick(uint32_t players)
     core_tick(&core, &input, &output);
 }
 
-static void open_stall(uint8_t mode, uint32_t players, uint32_t seed)
+static void open_fixture(uint8_t mode, uint32_t players, uint32_t seed)
 {
     struct core_config config = {
         .seed = seed, .modes = (uint8_t)(1u << mode), .players = (uint8_t)players, .lanes = 4
@@ -71,7 +71,7 @@ static void open_stall(uint8_t mode, uint32_t players, uint32_t seed)
 static uint32_t longest_jam(uint8_t mode, uint32_t players, uint32_t seed, uint32_t seconds)
 {
     uint32_t held[POI_MAX] = { 0 }, longest = 0, played = 0, dipped = 0;
-    open_stall(mode, players, seed);
+    open_fixture(mode, players, seed);
     for (uint32_t tick = 0; tick < (seconds + 20u) * CORE_TICK_HZ; tick++) {
         play_tick(players);
         if (core.game.phase != PHASE_ROUND) {

@@ -225,10 +225,10 @@ static void test_the_flow_moves_fish_except_those_of_the_thesis(void **state)
     (void)state;
     const struct obstacle moving = disc(v3(0.0f, 0.08f, 0.0f));
     const vec3 flow = water_flow_m_s(&moving, near_disc(0.0f, 0.5f, 0.0f));
-    const vec3 living = carried_m_s(pond_params());
+    const vec3 pond = carried_m_s(pond_params());
     const vec3 thesis = carried_m_s(&tank_preset(TANK_PRESET_THESIS)->params);
     assert_true(flow.y > 0.03f);
-    assert_float_equal(living.y - thesis.y, flow.y, 0.25f * flow.y);
+    assert_float_equal(pond.y - thesis.y, flow.y, 0.25f * flow.y);
     assert_float_equal(thesis.y, 0.0f, 0.0f);
 }
 

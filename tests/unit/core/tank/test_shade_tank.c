@@ -300,7 +300,7 @@ static void test_a_moving_fan_startles_more_fish_than_a_poi_in_the_air(void **st
 static struct core core;
 static struct output output;
 
-static void open_stall(void)
+static void open_fixture(void)
 {
     const struct core_config config = { .seed = 3, .fish_count = 60 };
     assert_int_equal(core_init(&core, &config), CORE_OK);
@@ -310,7 +310,7 @@ static void test_the_position_of_a_fan_is_limited_to_the_tank(void **state)
 {
     struct input input = { .shade[2] = { 1, 0.1f, -0.2f, 0.12f } };
     (void)state;
-    open_stall();
+    open_fixture();
     core_tick(&core, &input, &output);
     const struct shade_cast *cast = &core.world.tank.shade[2].cast;
     assert_true(cast->present && cast->x_m == 0.1f && cast->z_m == -0.2f);
@@ -332,7 +332,7 @@ static void test_a_nan_fan_fails_an_assertion(void **state)
 {
     static const float broken[] = { 1.0f / 0.0f, -1.0f / 0.0f };
     (void)state;
-    open_stall();
+    open_fixture();
     for (size_t i = 0; i < 2; i++) {
         struct input input = { .shade[0] = { 1, broken[i], 0.0f, 0.1f } };
         expect_assert_failure(core_tick(&core, &input, &output));

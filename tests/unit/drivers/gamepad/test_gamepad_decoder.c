@@ -20,7 +20,7 @@ static int begin(void **state)
 {
     (void)state;
     now_ms = 1000;
-    gamepad_decoder_init(&hand, stall_view());
+    gamepad_decoder_init(&hand, festival_view());
     gamepad_decoder_sample(&hand, now_ms * MS);
     return 0;
 }
@@ -247,7 +247,7 @@ static int begin_sim(void **state)
 {
     (void)state;
     clock_state = (struct clock_sim){ .now_ns = 1000 * MS };
-    gamepad_sim_init(&sim, sim_clock_device(&clock_state), stall_view());
+    gamepad_sim_init(&sim, sim_clock_device(&clock_state), festival_view());
     /* The script has 250 reports per second, which move the ring around and dip it. */
     for (uint32_t i = 0; i < SCRIPT; i++) {
         script[i] = (struct gamepad_report){ .time_ns = (1000 + 4 * (uint64_t)i) * MS };

@@ -85,7 +85,7 @@ static int begin(void **state)
     hum_count = 0;
     setenv("SDL_VIDEODRIVER", "dummy", 1);
     SDL_InitSubSystem(SDL_INIT_VIDEO);
-    gamepads_init(&gamepads, sim_clock_device(&clock_state), stall_view());
+    gamepads_init(&gamepads, sim_clock_device(&clock_state), festival_view());
     return gamepads_open(&gamepads, NULL);
 }
 
@@ -123,7 +123,7 @@ static void test_a_gamepad_that_was_connected_at_the_start_is_opened(void **stat
      * controller subsystem. */
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
     attach(1);
-    gamepads_init(&gamepads, sim_clock_device(&clock_state), stall_view());
+    gamepads_init(&gamepads, sim_clock_device(&clock_state), festival_view());
     assert_int_equal(gamepads_open(&gamepads, NULL), HAL_OK);
     assert_true(gamepad_poi_is_present(&gamepads.pad[0]));
     wait_ms(16);

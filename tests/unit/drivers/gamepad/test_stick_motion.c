@@ -20,7 +20,7 @@ static uint64_t now_ms;
 
 static void begin(void)
 {
-    stick_motion_init(&fly, stall_view());
+    stick_motion_init(&fly, festival_view());
     now_ms = 1000;
     stick_motion_report(&fly, &(struct stick_report){ .time_ns = now_ms * MS });
 }
@@ -80,9 +80,9 @@ static void test_the_ring_stays_within_the_visible_area(void **state)
             after(200);
         }
         const vec3 end = after(0).position_m;
-        const struct basis axes = view_basis(stall_view());
-        const vec3 body = vec_basis_to_body(&axes, v3_sub(end, stall_view()->eye_m));
-        const float tan_y = view_half_height_tan(stall_view(), 16.0f / 9.0f);
+        const struct basis axes = view_basis(festival_view());
+        const vec3 body = vec_basis_to_body(&axes, v3_sub(end, festival_view()->eye_m));
+        const float tan_y = view_half_height_tan(festival_view(), 16.0f / 9.0f);
         assert_true(f_abs(body.x / body.z) < 1.2f * tan_y * 16.0f / 9.0f);
         assert_true(f_abs(body.y / body.z) < 1.2f * tan_y);
         assert_in_range((int)(1000.0f * (end.y + 1.0f)),

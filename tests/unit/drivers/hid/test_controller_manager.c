@@ -44,7 +44,7 @@ static int set_up(void **state)
     for (uint32_t i = 0; i < 2; i++) {
         hid_port_sim_init(&port[i], sim_clock_device(&clock_now), NULL);
         poi_hid_init(&slot[i], &port[i].port, sim_clock_device(&clock_now),
-                     hid_mapping_store_mapper(&store), stall_view());
+                     hid_mapping_store_mapper(&store), festival_view());
     }
     hid_device_list_sim_init(&device_list, ports);
     hid_device_list_sim_plug(&device_list, 0, &wire[0].face);
@@ -80,8 +80,8 @@ static struct controller_status frame(void)
 
 static int order(enum controller_command_kind kind, uint8_t row)
 {
-    const struct controller_command wanted = { .kind = (uint8_t)kind, .row = row };
-    return device.ops->command(device.self, &wanted);
+    const struct controller_command expected = { .kind = (uint8_t)kind, .row = row };
+    return device.ops->command(device.self, &expected);
 }
 
 static const char *name(uint32_t row)

@@ -137,7 +137,7 @@ static vec3 motion_of(struct hid_pose_decoder *hand, const struct demo_device *d
 static void hold_pose(const struct demo_device *demo_device)
 {
     struct hid_pose_decoder hand;
-    assert_int_equal(hid_pose_decoder_init(&hand, &wire.face, &learn.map, stall_view()), 0);
+    assert_int_equal(hid_pose_decoder_init(&hand, &wire.face, &learn.map, festival_view()), 0);
     const vec3 middle = motion_of(&hand, demo_device, 0.5f, 0.5f, 0);
     assert_true(motion_of(&hand, demo_device, 0.1f, 0.5f, 0).x < middle.x - 0.05f);
     assert_true(motion_of(&hand, demo_device, 0.95f, 0.5f, 0).x > middle.x - 0.05f);

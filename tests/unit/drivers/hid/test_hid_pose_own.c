@@ -15,7 +15,7 @@ static void connect_own_poi(void)
     struct hid_mapping map;
     wire_begin(&wire, &clock_now, poi_descriptor, POI_DESCRIPTOR_SIZE);
     hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
-    assert_int_equal(hid_pose_decoder_init(&decoder, &wire.face, &map, stall_view()), 0);
+    assert_int_equal(hid_pose_decoder_init(&decoder, &wire.face, &map, festival_view()), 0);
     now_ms = 1000;
 }
 

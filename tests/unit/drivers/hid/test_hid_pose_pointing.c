@@ -58,7 +58,7 @@ static void test_an_old_3d_mouse_sends_translation_and_rotation_separately(void 
     wire_begin(&wire, &clock_now, space_navigator, sizeof space_navigator);
     hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
     assert_int_equal(map.style, HID_STYLE_FLY);
-    assert_int_equal(hid_pose_decoder_init(&decoder, &wire.face, &map, stall_view()), 0);
+    assert_int_equal(hid_pose_decoder_init(&decoder, &wire.face, &map, festival_view()), 0);
     send(1);
     send(2);
     wire_put(&wire, 1, USAGE_X, -350);

@@ -34,7 +34,7 @@ static void begin(void)
     fixture.clock.now_ns = 1000000000ull;
     wire_begin(&fixture.wire, &fixture.clock, poi_descriptor, POI_DESCRIPTOR_SIZE);
     poi_hid_init(&fixture.poi, &fixture.wire.port.port, sim_clock_device(&fixture.clock),
-                 (struct hid_mapper){ 0 }, stall_view());
+                 (struct hid_mapper){ 0 }, festival_view());
 }
 
 /* Sends the next pose on a circle above the water. Each pose is 1 mm from the one before. */
@@ -282,7 +282,7 @@ static void test_the_last_report_before_a_pause_is_never_lost(void **state)
         fixture.clock.now_ns = 1000000000ull;
         wire_load(&fixture.wire, &fixture.clock, "010-8bitdo-sn30pro-bt-dinput");
         poi_hid_init(&fixture.poi, &fixture.wire.port.port, sim_clock_device(&fixture.clock),
-                     (struct hid_mapper){ 0 }, stall_view());
+                     (struct hid_mapper){ 0 }, festival_view());
         reopen();
         const uint8_t id = wire_put(&fixture.wire, -1, USAGE_X, 0x80);
         wire_put(&fixture.wire, id, USAGE_Y, 0x80);
@@ -324,7 +324,7 @@ static void test_no_mouse_displacement_is_lost_in_a_slow_frame(void **state)
         fixture.clock.now_ns = 1000000000ull;
         wire_load(&fixture.wire, &fixture.clock, "011-dell-413c-301a-mouse");
         poi_hid_init(&fixture.poi, &fixture.wire.port.port, sim_clock_device(&fixture.clock),
-                     (struct hid_mapper){ 0 }, stall_view());
+                     (struct hid_mapper){ 0 }, festival_view());
         reopen();
         const uint8_t id = wire_put(&fixture.wire, -1, USAGE_X, 0);
         wire_send(&fixture.wire, id);

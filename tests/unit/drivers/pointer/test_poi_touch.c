@@ -138,7 +138,7 @@ static int begin_sim(void **state)
 {
     (void)state;
     twin_clock = (struct clock_sim){ .now_ns = 1000 * MS };
-    pointer_sim_init_touch(&sim, sim_clock_device(&twin_clock), stall_view(), WIDTH, HEIGHT);
+    pointer_sim_init_touch(&sim, sim_clock_device(&twin_clock), festival_view(), WIDTH, HEIGHT);
     for (uint32_t i = 0; i < SCRIPT; i++) {
         const int second = i > 0 && i % 60 == 0;
         script[i] = (struct touch_event){

@@ -18,7 +18,7 @@ static struct pointer_poi poi;
 static int fresh(void **state)
 {
     (void)state;
-    pointer_poi_init(&poi, stall_view());
+    pointer_poi_init(&poi, festival_view());
     return 0;
 }
 
@@ -156,7 +156,7 @@ static void test_the_poi_returns_under_the_pointer_at_limited_speed(void **state
         assert_true(v3_length(v3_sub(now, before)) < 0.0015f);
         before = now;
     }
-    const vec3 home = view_point_on_plane(stall_view(), (float)WIDTH / (float)HEIGHT,
+    const vec3 home = view_point_on_plane(festival_view(), (float)WIDTH / (float)HEIGHT,
                                           2.0f * 1000.0f / 1280.0f - 1.0f,
                                           1.0f - 2.0f * 500.0f / 720.0f, DIP_HOVER_M);
     assert_float_equal(before.x, home.x, 1e-4f);

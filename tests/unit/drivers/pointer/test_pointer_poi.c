@@ -16,7 +16,7 @@
 static struct pointer_poi fresh(void)
 {
     struct pointer_poi pointer;
-    pointer_poi_init(&pointer, stall_view());
+    pointer_poi_init(&pointer, festival_view());
     return pointer;
 }
 
@@ -101,7 +101,7 @@ static void assert_is_under_pointer(const struct pointer_poi *pointer, vec3 ring
  * in m. */
 static float nearer_m(vec3 ring_m, float x_px, float y_px)
 {
-    const vec3 below_m = view_point_on_plane(stall_view(), (float)WIDTH / (float)HEIGHT,
+    const vec3 below_m = view_point_on_plane(festival_view(), (float)WIDTH / (float)HEIGHT,
                                              2.0f * x_px / (float)WIDTH - 1.0f,
                                              1.0f - 2.0f * y_px / (float)HEIGHT, ring_m.y);
     assert_float_equal(ring_m.x, below_m.x, 1e-4f);

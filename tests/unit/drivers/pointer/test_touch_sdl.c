@@ -23,7 +23,7 @@ static int open_pointer(uint32_t enabled)
     setenv("SDL_VIDEODRIVER", "dummy", 1);
     SDL_InitSubSystem(SDL_INIT_VIDEO);
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
-    mouse_poi_init(&mouse, sim_clock_device(&clock_state), stall_view(), WIDTH, HEIGHT, enabled);
+    mouse_poi_init(&mouse, sim_clock_device(&clock_state), festival_view(), WIDTH, HEIGHT, enabled);
     poi = mouse_poi_devices(&mouse).poi;
     return poi.ops->open(poi.self);
 }

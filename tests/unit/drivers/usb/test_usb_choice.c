@@ -197,13 +197,13 @@ static void test_a_slot_is_given_away_after_its_reservation(void **state)
 {
     (void)state;
     struct usb_place place[POI_MAX];
-    const struct hid_identity stranger = identity_of(7, 7, "", "1-7");
+    const struct hid_identity unknown = identity_of(7, 7, "", "1-7");
     for (uint32_t i = 0; i < POI_MAX; i++) {
         place[i] = place_of(identity_of(1, (uint16_t)i, "", "1-1"), i != 2, 1);
     }
-    assert_int_equal(usb_choice_slot(place, &stranger), POI_MAX);
+    assert_int_equal(usb_choice_slot(place, &unknown), POI_MAX);
     place[2].is_held = 0;
-    assert_int_equal(usb_choice_slot(place, &stranger), 2);
+    assert_int_equal(usb_choice_slot(place, &unknown), 2);
 }
 
 /* ---- Rows of the device list ---------------------------------------------------------------- */

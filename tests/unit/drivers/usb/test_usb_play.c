@@ -40,15 +40,15 @@ static struct {
     uint8_t is_plugged;
     uint32_t sent; /* Number of reports since the device was plugged in. */
     uint8_t sequence;
-} stall;
+} rig;
 
 static uint64_t stall_now_ns(void *self)
 {
     (void)self;
-    return atomic_load(&stall.now_ns);
+    return atomic_load(&rig.now_ns);
 }
 
-static struct hal_clock stall_clock(void)
+static struct hal_clock rig_clock(void)
 {
     static const struct hal_clock_ops ops = { .now_ns = stall_now_ns };
     return (struct hal_clock){ .ops = &ops };
@@ -58,42 +58,42 @@ static struct hal_clock stall_clock(void)
 
 static void plug(void)
 {
-    stall.device = usb_sim_plug(&own_poi, 1);
-    stall.is_plugged = 1;
-    stall.sent = 0;
+    rig.device = usb_sim_plug(&own_poi, 1);
+    rig.is_plugged = 1;
+    rig.sent = 0;
 }
 
 static void unplug(uint32_t how)
 {
-    usb_sim_unplug(stall.device, (enum usb_sim_unplug_order)(how % 2u));
-    stall.is_plugged = 0;
+    usb_sim_unplug(rig.device, (enum usb_sim_unplug_order)(how % 2u));
+    rig.is_plugged = 0;
 }
 
 /* Sends the pose of a controller that hovers above the water and trembles a little. */
 static void send_pose(void)
 {
     uint8_t bytes[POI_REPORT_SIZE];
-    const float sway_m = 0.001f * (float)(stall.sequence % 16u);
+    const float sway_m = 0.001f * (float)(rig.sequence % 16u);
     const struct poi_report report = { .target.position_m = { sway_m, 0.15f, -sway_m },
-                                       .sequence = stall.sequence++ };
+                                       .sequence = rig.sequence++ };
     poi_report_encode(&report, bytes);
-    usb_sim_report(stall.device, bytes, sizeof bytes);
-    stall.sent++;
+    usb_sim_report(rig.device, bytes, sizeof bytes);
+    rig.sent++;
 }
 
 /* ---- Simulated kiosk ------------------------------------------------------------------------ */
 
 static void frame(void)
 {
-    if (stall.is_plugged) {
+    if (rig.is_plugged) {
         send_pose();
         send_pose();
-        for (uint32_t i = 0; i < 200 && usb_sim_waiting(stall.device) > 0; i++) {
+        for (uint32_t i = 0; i < 200 && usb_sim_waiting(rig.device) > 0; i++) {
             usleep(50);
         }
     }
-    atomic_fetch_add(&stall.now_ns, FRAME_NS);
-    kiosk_frame(&stall.kiosk, &stall.hal);
+    atomic_fetch_add(&rig.now_ns, FRAME_NS);
+    kiosk_frame(&rig.kiosk, &rig.hal);
 }
 
 static int frames_until(bool (*is_so)(void))
@@ -103,7 +103,7 @@ static int frames_until(bool (*is_so)(void))
             return 1;
         }
         frame();
-        if (!stall.is_plugged || i > 100u) {
+        if (!rig.is_plugged || i > 100u) {
             usleep(50); /* Gives the USB thread time to run. */
         }
     }
@@ -112,32 +112,31 @@ static int frames_until(bool (*is_so)(void))
 
 static bool is_round(void)
 {
-    return stall.kiosk.core.game.phase == PHASE_ROUND;
+    return rig.kiosk.core.game.phase == PHASE_ROUND;
 }
 
 static bool is_paused(void)
 {
-    return stall.kiosk.scene.paused || !is_round();
+    return rig.kiosk.scene.paused || !is_round();
 }
 
 static bool runs(void)
 {
-    return is_round() && !stall.kiosk.scene.paused &&
-           stall.kiosk.samplers[0].link == POI_SOURCE_LIVE;
+    return is_round() && !rig.kiosk.scene.paused && rig.kiosk.samplers[0].link == POI_SOURCE_LIVE;
 }
 
 static bool is_attract(void)
 {
-    return stall.kiosk.core.game.phase == PHASE_ATTRACT &&
-           stall.kiosk.samplers[0].link == POI_SOURCE_LIVE;
+    return rig.kiosk.core.game.phase == PHASE_ATTRACT &&
+           rig.kiosk.samplers[0].link == POI_SOURCE_LIVE;
 }
 
 static void press_start(void)
 {
-    stall.event[1] =
-        (struct button_event){ .time_ns = atomic_load(&stall.now_ns), .pressed = INPUT_START };
-    stall.buttons =
-        (struct buttons_sim){ .clock = stall_clock(), .events = &stall.event[1], .event_count = 1 };
+    rig.event[1] =
+        (struct button_event){ .time_ns = atomic_load(&rig.now_ns), .pressed = INPUT_START };
+    rig.buttons =
+        (struct buttons_sim){ .clock = rig_clock(), .events = &rig.event[1], .event_count = 1 };
 }
 
 static int set_up(void **state)
@@ -146,40 +145,40 @@ static int set_up(void **state)
     static const struct kiosk_config config = {
         .core = { .seed = 11, .fish_count = 4, .round_s = 600, .credit_coins = 1 }
     };
-    memset(&stall, 0, sizeof stall);
-    atomic_store(&stall.now_ns, 1000000000000ull);
-    fixture_prepare(&stall.fixture);
-    fixture_start_with(&stall.fixture, stall_clock(), NULL, 0);
-    stall.hal = null_hal(NULL);
-    stall.hal.clock = stall_clock();
-    stall.event[0] = (struct button_event){ .coin_count[0] = COINS };
-    stall.buttons =
-        (struct buttons_sim){ .clock = stall_clock(), .events = stall.event, .event_count = 1 };
-    stall.hal.buttons = sim_buttons_device(&stall.buttons);
+    memset(&rig, 0, sizeof rig);
+    atomic_store(&rig.now_ns, 1000000000000ull);
+    fixture_prepare(&rig.fixture);
+    fixture_start_with(&rig.fixture, rig_clock(), NULL, 0);
+    rig.hal = null_hal(NULL);
+    rig.hal.clock = rig_clock();
+    rig.event[0] = (struct button_event){ .coin_count[0] = COINS };
+    rig.buttons =
+        (struct buttons_sim){ .clock = rig_clock(), .events = rig.event, .event_count = 1 };
+    rig.hal.buttons = sim_buttons_device(&rig.buttons);
     const struct view view = tank_preset(TANK_PRESET_FESTIVAL)->view;
-    poi_hid_init(&stall.poi, usb_transport_port(stall.fixture.thread, 0), stall_clock(),
+    poi_hid_init(&rig.poi, usb_transport_port(rig.fixture.thread, 0), rig_clock(),
                  (struct hid_mapper){ NULL, NULL }, &view);
-    stall.hal.poi[0] = poi_hid_devices(&stall.poi).poi;
-    stall.hal.storage = storage_sim_device(&stall.storage);
-    return kiosk_init(&stall.kiosk, &stall.hal, &config);
+    rig.hal.poi[0] = poi_hid_devices(&rig.poi).poi;
+    rig.hal.storage = storage_sim_device(&rig.storage);
+    return kiosk_init(&rig.kiosk, &rig.hal, &config);
 }
 
 static int tear_down(void **state)
 {
     (void)state;
-    assert_int_equal(fixture_end(&stall.fixture), 0);
+    assert_int_equal(fixture_end(&rig.fixture), 0);
     assert_int_equal(usb_sim_breaches(), 0);
     return 0;
 }
 
 static uint32_t credits(void)
 {
-    return balance_credits(&stall.kiosk.core);
+    return balance_credits(&rig.kiosk.core);
 }
 
 static uint32_t refunds(void)
 {
-    return balance_audit(&stall.kiosk.core, AUDIT_REFUNDS);
+    return balance_audit(&rig.kiosk.core, AUDIT_REFUNDS);
 }
 
 static void begin_round(void)

@@ -116,7 +116,7 @@ static void test_a_slot_is_reserved_for_the_longest_pause_of_a_round(void **stat
     }
     usb_sim_unplug(lost, USB_SIM_GONE);
     assert_true(fixture_wait_state(&fixture, 0, CONTROLLER_LOST));
-    static const struct usb_sim_kind stranger = {
+    static const struct usb_sim_kind unknown = {
         .vendor = 0xcafe,
         .product = 4,
         .name = "D",
@@ -124,7 +124,7 @@ static void test_a_slot_is_reserved_for_the_longest_pause_of_a_round(void **stat
         .interface_count = 1,
         .interface = { OWN_INTERFACE },
     };
-    const uint32_t waiting = usb_sim_plug(&stranger, 5);
+    const uint32_t waiting = usb_sim_plug(&unknown, 5);
     advance(GAME_WAIT_TICKS_MAX / CORE_TICK_HZ - 5u);
     assert_int_equal(usb_sim_seen(waiting).opens, 0);
     advance(10);

@@ -33,8 +33,8 @@ static struct rig {
 #define LEVEL(ms, which, level) { .time_ns = (ms) * MS, .role = (which), .active = (level) }
 #define PULSE(ms, which, width_ms) LEVEL(ms, which, 1), LEVEL((ms) + (width_ms), which, 0)
 
-#define OPEN(events) open_stall(events, sizeof(events) / sizeof((events)[0]))
-static void open_stall(const struct gpio_sim_event *events, uint32_t count)
+#define OPEN(events) open_fixture(events, sizeof(events) / sizeof((events)[0]))
+static void open_fixture(const struct gpio_sim_event *events, uint32_t count)
 {
     /* clang-format off */
     static const char *const cabinet[] = {

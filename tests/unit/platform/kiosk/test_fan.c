@@ -34,7 +34,7 @@ static int open_mouse(void **state)
     }
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
     fixture_clock.now_ns = 1000 * MS;
-    mouse_poi_init(&mouse, sim_clock_device(&fixture_clock), stall_view(), WIDTH, HEIGHT,
+    mouse_poi_init(&mouse, sim_clock_device(&fixture_clock), festival_view(), WIDTH, HEIGHT,
                    POINTER_FILTER_MOUSE);
     const struct hal_poi device = mouse_poi_devices(&mouse).poi;
     const int opened = device.ops->open(device.self);
@@ -125,7 +125,7 @@ static void keep_shade(void *self, const struct input *input, const struct core 
     rig.seen[rig.seen_count++] = input->shade[0];
 }
 
-static int open_stall(void **state)
+static int open_fixture(void **state)
 {
     const struct kiosk_config config = {
         .core = { .seed = 5, .fish_count = 40 },
@@ -136,7 +136,7 @@ static int open_stall(void **state)
     rig.clock.now_ns = 1000 * MS;
     rig.hal = null_hal(NULL);
     rig.hal.clock = sim_clock_device(&rig.clock);
-    pointer_sim_init(&rig.poi, rig.hal.clock, stall_view());
+    pointer_sim_init(&rig.poi, rig.hal.clock, festival_view());
     rig.poi.reports = rig.reports;
     rig.hal.poi[0] = pointer_sim_devices(&rig.poi).poi;
     rig.hal.fan[0] = pointer_sim_devices(&rig.poi).fan;
@@ -248,10 +248,11 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_key_f_activates_the_fan_while_pressed, open_mouse,
                                         close_mouse),
-        cmocka_unit_test_setup(test_each_tick_has_an_interpolated_fan_position, open_stall),
-        cmocka_unit_test_setup(test_the_scene_shows_the_fan_at_its_simulated_position, open_stall),
-        cmocka_unit_test_setup(test_an_unplugged_fan_disappears_and_reconnects, open_stall),
-        cmocka_unit_test_setup(test_a_non_finite_fan_pose_is_rejected_and_counted, open_stall),
+        cmocka_unit_test_setup(test_each_tick_has_an_interpolated_fan_position, open_fixture),
+        cmocka_unit_test_setup(test_the_scene_shows_the_fan_at_its_simulated_position,
+                               open_fixture),
+        cmocka_unit_test_setup(test_an_unplugged_fan_disappears_and_reconnects, open_fixture),
+        cmocka_unit_test_setup(test_a_non_finite_fan_pose_is_rejected_and_counted, open_fixture),
     };
     cmocka_set_message_output(CM_OUTPUT_TAP);
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -340,12 +340,12 @@ static void test_a_pointer_is_notified_when_the_view_changes(void **state)
     championship.core.modes = 1u << MODE_CHAMPIONSHIP;
     open_kiosk(&championship);
     assert_memory_equal(&rig.sensor.view, &rig.kiosk.scene.view, sizeof(struct view));
-    const struct view stall = rig.sensor.view;
+    const struct view before = rig.sensor.view;
     rig.kiosk.input.pressed = INPUT_START;
     frames(30);
     assert_int_equal(rig.kiosk.core.world.tank.preset, TANK_PRESET_OFFICIAL);
     assert_memory_equal(&rig.sensor.view, &rig.kiosk.scene.view, sizeof(struct view));
-    assert_memory_not_equal(&rig.sensor.view, &stall, sizeof(struct view));
+    assert_memory_not_equal(&rig.sensor.view, &before, sizeof(struct view));
 }
 
 static struct recorder recorder;

@@ -128,7 +128,7 @@ static void wire_devices(void)
     wire_hand();
 }
 
-static int open_stall(void **state)
+static int open_fixture(void **state)
 {
     (void)state;
     setenv("SDL_AUDIODRIVER", "dummy", 1);
@@ -149,7 +149,7 @@ static int open_stall(void **state)
            recorder_begin(&rig.recorder, rig.recording, &rig.kiosk.core) != 0;
 }
 
-static int close_stall(void **state)
+static int close_fixture(void **state)
 {
     char path[128];
     (void)state;
@@ -252,5 +252,5 @@ int main(void)
         cmocka_unit_test(test_kingyo_code_allocates_nothing_while_the_lab_and_album_change_species),
         cmocka_unit_test(test_the_allocation_counter_counts_a_written_screenshot),
     };
-    return cmocka_run_group_tests(tests, open_stall, close_stall);
+    return cmocka_run_group_tests(tests, open_fixture, close_fixture);
 }

@@ -41,7 +41,7 @@ static struct sdl_player {
     uint8_t second_is_down;
 } player;
 
-static const struct view *stall_view(void)
+static const struct view *festival_view(void)
 {
     return &tank_preset(TANK_PRESET_FESTIVAL)->view;
 }
@@ -92,10 +92,10 @@ static void send_pad(void)
 
 static void to_window(vec3 point, float *x, float *y)
 {
-    const struct basis axes = view_basis(stall_view());
-    const vec3 body = vec_basis_to_body(&axes, v3_sub(point, stall_view()->eye_m));
+    const struct basis axes = view_basis(festival_view());
+    const vec3 body = vec_basis_to_body(&axes, v3_sub(point, festival_view()->eye_m));
     const float aspect = (float)WIDTH / (float)HEIGHT;
-    const float tan_y = view_half_height_tan(stall_view(), aspect);
+    const float tan_y = view_half_height_tan(festival_view(), aspect);
     *x = 0.5f * (body.x / -body.z / (tan_y * aspect) + 1.0f);
     *y = 0.5f * (1.0f - body.y / -body.z / tan_y);
 }
@@ -307,7 +307,7 @@ static void wait_for(uint8_t phase, uint32_t seconds_max)
 
 static void open_mouse(void)
 {
-    mouse_poi_init(&player.pointer, player.hal.clock, stall_view(), WIDTH, HEIGHT,
+    mouse_poi_init(&player.pointer, player.hal.clock, festival_view(), WIDTH, HEIGHT,
                    POINTER_FILTER_MOUSE);
     player.hal.poi[0] = mouse_poi_devices(&player.pointer).poi;
     player.send = send_nothing;
@@ -339,7 +339,7 @@ static int end(void **state)
 static void test_a_gamepad_player_lands_fish(void **state)
 {
     (void)state;
-    gamepads_init(&player.gamepads, player.hal.clock, stall_view());
+    gamepads_init(&player.gamepads, player.hal.clock, festival_view());
     assert_int_equal(gamepads_open(&player.gamepads, NULL), HAL_OK);
     assert_true(SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
                                           SDL_CONTROLLER_BUTTON_DPAD_RIGHT + 1, 0) >= 0);
@@ -353,7 +353,7 @@ static void test_a_gamepad_player_lands_fish(void **state)
 static void test_a_touch_player_lands_fish(void **state)
 {
     (void)state;
-    mouse_poi_init(&player.pointer, player.hal.clock, stall_view(), WIDTH, HEIGHT,
+    mouse_poi_init(&player.pointer, player.hal.clock, festival_view(), WIDTH, HEIGHT,
                    POINTER_FILTER_TOUCH);
     player.hal.poi[0] = mouse_poi_devices(&player.pointer).poi;
     player.send = send_fingers;

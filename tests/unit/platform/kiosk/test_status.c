@@ -48,9 +48,9 @@ static void read_text(char text[STATUS_TEXT_MAX])
     fclose(file);
 }
 
-/* Asserts that `text` is valid JSON, and that the value at the JSON path `where` is `wanted`.
+/* Asserts that `text` is valid JSON, and that the value at the JSON path `where` is `expected`.
  * SQLite is used as the parser. */
-static void check_json(const char *text, const char *where, const char *wanted)
+static void check_json(const char *text, const char *where, const char *expected)
 {
     sqlite3 *database;
     sqlite3_stmt *statement;
@@ -63,7 +63,7 @@ static void check_json(const char *text, const char *where, const char *wanted)
     assert_int_equal(sqlite3_step(statement), SQLITE_ROW);
     assert_int_equal(sqlite3_column_int(statement, 0), 1);
     assert_non_null(sqlite3_column_text(statement, 1));
-    assert_string_equal((const char *)sqlite3_column_text(statement, 1), wanted);
+    assert_string_equal((const char *)sqlite3_column_text(statement, 1), expected);
     sqlite3_finalize(statement);
     sqlite3_close(database);
 }
@@ -122,7 +122,7 @@ static const struct status_report full_report = {
 
 /* Expected value at each JSON path of the status file of full_report. */
 static const struct {
-    const char *where, *wanted;
+    const char *where, *value;
 } expected[] = {
     { "$.version", KINGYO_VERSION },
     { "$.pid", "1234" },
@@ -180,7 +180,7 @@ static void test_the_status_file_contains_every_value(void **state)
     const size_t size = status_format(&full_report, text);
     assert_int_equal(size, strlen(text));
     for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
-        check_json(text, expected[i].where, expected[i].wanted);
+        check_json(text, expected[i].where, expected[i].value);
     }
 }
 

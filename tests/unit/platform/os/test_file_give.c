@@ -19,16 +19,16 @@
 #define OTHER_USER 65534
 
 static char folder[] = "/tmp/kingyo-give-XXXXXX";
-static char victim[64], path[64];
+static char foreign[64], path[64];
 
 static int set_up(void **state)
 {
     (void)state;
     strcpy(folder + sizeof folder - 7, "XXXXXX");
     assert_non_null(mkdtemp(folder));
-    snprintf(victim, sizeof victim, "%s/victim", folder);
+    snprintf(foreign, sizeof foreign, "%s/foreign", folder);
     snprintf(path, sizeof path, "%s/given", folder);
-    const int handle = open(victim, O_CREAT | O_WRONLY, 0600);
+    const int handle = open(foreign, O_CREAT | O_WRONLY, 0600);
     assert_true(handle >= 0);
     close(handle);
     return 0;
@@ -37,21 +37,21 @@ static int set_up(void **state)
 static int tear_down(void **state)
 {
     (void)state;
-    unlink(victim);
+    unlink(foreign);
     unlink(path);
     return rmdir(folder);
 }
 
 /* Tries to change the owner and the mode of `path`. Asserts that the call fails with `error`, and
- * that the file `victim` is unchanged. */
+ * that the file `foreign` is unchanged. */
 static void check_refused(int error)
 {
     struct stat before, after;
-    assert_int_equal(stat(victim, &before), 0);
+    assert_int_equal(stat(foreign, &before), 0);
     errno = 0;
     assert_int_equal(file_give_at(AT_FDCWD, path, geteuid(), getegid(), 0660), -1);
     assert_int_equal(errno, error);
-    assert_int_equal(stat(victim, &after), 0);
+    assert_int_equal(stat(foreign, &after), 0);
     assert_int_equal(after.st_mode, before.st_mode);
     assert_int_equal(after.st_uid, before.st_uid);
 }
@@ -60,22 +60,22 @@ static void test_a_regular_file_gets_the_mode(void **state)
 {
     (void)state;
     struct stat about;
-    assert_int_equal(file_give_at(AT_FDCWD, victim, geteuid(), getegid(), 0640), 0);
-    assert_int_equal(stat(victim, &about), 0);
+    assert_int_equal(file_give_at(AT_FDCWD, foreign, geteuid(), getegid(), 0640), 0);
+    assert_int_equal(stat(foreign, &about), 0);
     assert_int_equal(about.st_mode & 07777, 0640);
 }
 
 static void test_a_symbolic_link_is_not_followed(void **state)
 {
     (void)state;
-    assert_int_equal(symlink(victim, path), 0);
+    assert_int_equal(symlink(foreign, path), 0);
     check_refused(ELOOP);
 }
 
 static void test_a_second_name_of_a_file_is_refused(void **state)
 {
     (void)state;
-    assert_int_equal(link(victim, path), 0);
+    assert_int_equal(link(foreign, path), 0);
     check_refused(EPERM);
 }
 

@@ -25,7 +25,7 @@
 #include "platform/store/graph_file.h"
 #include "platform/store/storage.h"
 
-static char dir[64], victim[96];
+static char dir[64], foreign[96];
 static struct storage storage;
 static struct hal_storage device;
 
@@ -34,7 +34,7 @@ static int set_up(void **state)
     (void)state;
     alarm(60); /* alarm() ends the test program if a test blocks for a minute. */
     strcpy(dir, "/tmp/kingyo-strange-XXXXXX");
-    snprintf(victim, sizeof victim, "/tmp/kingyo-victim-%d", (int)getpid());
+    snprintf(foreign, sizeof foreign, "/tmp/kingyo-foreign-%d", (int)getpid());
     return mkdtemp(dir) ? 0 : -1;
 }
 
@@ -43,7 +43,7 @@ static int tear_down(void **state)
     (void)state;
     char command[200];
     alarm(0);
-    snprintf(command, sizeof command, "rm -rf %s %s", dir, victim);
+    snprintf(command, sizeof command, "rm -rf %s %s", dir, foreign);
     return system(command);
 }
 
@@ -56,7 +56,7 @@ static void put_fifo(const char *path)
 
 static void put_link(const char *path)
 {
-    assert_int_equal(symlink(victim, path), 0);
+    assert_int_equal(symlink(foreign, path), 0);
 }
 
 static void put_device_link(const char *path)
@@ -99,7 +99,7 @@ static const char *in_dir(const char *name)
 
 static void victim_is_untouched(void)
 {
-    assert_int_equal(access(victim, F_OK), -1);
+    assert_int_equal(access(foreign, F_OK), -1);
 }
 
 /* ---- Tests of the files of the store -------------------------------------------------------- */
@@ -217,11 +217,11 @@ static void fill_and_kill(void)
     assert_int_equal(keep(4), HAL_OK);
     storage_work(&storage);
     snprintf(command, sizeof command,
-             "mkdir %s && cp --preserve %s/" STORAGE_FILE " %s/" STORAGE_FILE "-wal %s", victim,
-             dir, dir, victim);
+             "mkdir %s && cp --preserve %s/" STORAGE_FILE " %s/" STORAGE_FILE "-wal %s", foreign,
+             dir, dir, foreign);
     assert_int_equal(system(command), 0);
     assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
-    snprintf(command, sizeof command, "cp %s/* %s && rm -r %s", victim, dir, victim);
+    snprintf(command, sizeof command, "cp %s/* %s && rm -r %s", foreign, dir, foreign);
     assert_int_equal(system(command), 0);
 }
 

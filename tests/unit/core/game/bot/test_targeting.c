@@ -11,7 +11,7 @@
 #include "core/game/bot/bot.h"
 
 /* Returns a snapshot with a distant bowl, whole paper and `count` visible fish. */
-static struct snapshot stall_with(uint32_t count, const struct snapshot_fish *fish)
+static struct snapshot snapshot_with(uint32_t count, const struct snapshot_fish *fish)
 {
     struct snapshot snapshot = {
         .tank_m = { 0.85f, 0.12f, 0.55f },
@@ -36,7 +36,7 @@ static uint16_t chosen(const struct technique *technique, struct snapshot_fish a
                        struct snapshot_fish b)
 {
     const struct snapshot_fish two[] = { a, b };
-    const struct snapshot snapshot = stall_with(2, two);
+    const struct snapshot snapshot = snapshot_with(2, two);
     float yaw_rad = 0.0f;
     const struct snapshot_fish *best =
         targeting_choose(technique, &snapshot, v3(0.0f, 0.06f, 0.0f), 0.0f, &yaw_rad);
@@ -46,7 +46,7 @@ static uint16_t chosen(const struct technique *technique, struct snapshot_fish a
 static void test_a_slanted_entry_moves_along_the_paper_and_a_flat_one_down(void **state)
 {
     (void)state;
-    const struct snapshot snapshot = stall_with(0, NULL);
+    const struct snapshot snapshot = snapshot_with(0, NULL);
     struct technique technique = technique_expert;
     struct approach_path way;
     assert_true(
@@ -65,7 +65,7 @@ static void test_a_slanted_entry_moves_along_the_paper_and_a_flat_one_down(void 
 static void test_the_target_point_of_the_paper_is_the_middle_or_the_far_edge(void **state)
 {
     (void)state;
-    const struct snapshot snapshot = stall_with(0, NULL);
+    const struct snapshot snapshot = snapshot_with(0, NULL);
     const vec3 fish_m = v3(0.0f, -0.03f, 0.0f);
     struct technique technique = technique_expert;
     struct approach_path way;
@@ -83,7 +83,7 @@ static void test_the_target_point_of_the_paper_is_the_middle_or_the_far_edge(voi
 static void test_a_hole_in_the_middle_moves_the_target_point(void **state)
 {
     (void)state;
-    struct snapshot snapshot = stall_with(0, NULL);
+    struct snapshot snapshot = snapshot_with(0, NULL);
     struct approach_path way;
     snapshot.paper.middle = 0;
     snapshot.paper.x_m = 0.02f;
@@ -95,7 +95,7 @@ static void test_a_hole_in_the_middle_moves_the_target_point(void **state)
 static void test_walls_and_the_own_bowl_block_a_path(void **state)
 {
     (void)state;
-    const struct snapshot snapshot = stall_with(0, NULL);
+    const struct snapshot snapshot = snapshot_with(0, NULL);
     const vec3 free_m = v3(0.0f, -0.03f, 0.0f), walled_m = v3(-0.42f, -0.03f, 0.0f);
     const vec3 under_bowl_m = v3(0.335f, -0.03f, 0.185f);
     struct approach_path way;
@@ -128,7 +128,7 @@ static void test_fish_near_another_players_poi_are_avoided(void **state)
     (void)state;
     const struct snapshot_fish two[] = { fish_at(1, 0.0f, -0.03f, -0.05f),
                                          fish_at(2, -0.16f, -0.03f, -0.05f) };
-    struct snapshot snapshot = stall_with(2, two);
+    struct snapshot snapshot = snapshot_with(2, two);
     float yaw_rad = 0.0f;
     const vec3 hand_m = v3(0.0f, 0.06f, 0.0f);
     assert_int_equal(targeting_choose(&technique_expert, &snapshot, hand_m, 0.0f, &yaw_rad)->fish,

@@ -8,11 +8,11 @@
 
 #include <cmocka.h>
 
-#include "tests/unit/support/bot_stall.h"
+#include "tests/unit/support/bot_fixture.h"
 #include "core/game/bot/bot.h"
 #include "core/game/bot/vision.h"
 
-static struct bot_stall stall;
+static struct bot_fixture fixture;
 static struct scene scene;
 
 /* Starts a festival for two players. The second poi is held still over the water, and one player
@@ -20,12 +20,12 @@ static struct scene scene;
 static void begin(uint32_t seed)
 {
     const struct core_config config = { .seed = seed, .players = 2 };
-    bot_stall_open(&stall, &config, &technique_expert);
-    stall.input.poi[1] = (struct poi_input){ .link = POI_SOURCE_LIVE,
-                                             .has_wrist = 1,
-                                             .target.position_m = v3(0.2f, 0.1f, 0.1f) };
-    stall.input.shade[0] = (struct shade_input){ 1, -0.1f, 0.05f, 0.1f };
-    bot_stall_begin(&stall);
+    bot_fixture_open(&fixture, &config, &technique_expert);
+    fixture.input.poi[1] = (struct poi_input){ .link = POI_SOURCE_LIVE,
+                                               .has_wrist = 1,
+                                               .target.position_m = v3(0.2f, 0.1f, 0.1f) };
+    fixture.input.shade[0] = (struct shade_input){ 1, -0.1f, 0.05f, 0.1f };
+    bot_fixture_begin(&fixture);
 }
 
 #define SAME(seen, shown)                                                                          \
@@ -101,9 +101,9 @@ static void paper_is_as_shown(const struct vision *vision)
 
 static void all_is_as_shown(uint32_t player)
 {
-    const struct vision vision = { &stall.core.game, &stall.core.world, player };
+    const struct vision vision = { &fixture.core.game, &fixture.core.world, player };
     memset(&scene, 0, sizeof scene);
-    core_scene(&stall.core, &scene);
+    core_scene(&fixture.core, &scene);
     game_is_as_shown(&vision);
     fish_are_as_shown(&vision);
     paper_is_as_shown(&vision);
@@ -118,14 +118,14 @@ static void test_vision_equals_the_scene_throughout_a_round(void **state)
     (void)state;
     uint32_t wet = 0, carried = 0, caught = 0;
     begin(8);
-    stall.core.game.player[0].fouls = 1;
-    stall.core.game.player[1].fouls = 2;
-    for (uint32_t i = 0; stall.core.game.phase == PHASE_ROUND; i++) {
-        bot_stall_tick(&stall);
+    fixture.core.game.player[0].fouls = 1;
+    fixture.core.game.player[1].fouls = 2;
+    for (uint32_t i = 0; fixture.core.game.phase == PHASE_ROUND; i++) {
+        bot_fixture_tick(&fixture);
         if (i % 13u == 0) {
             all_is_as_shown(i % 2u);
             wet += scene.poi[0].water_m > 0.0f;
-            carried += stall.core.world.poi[0].carried_count;
+            carried += fixture.core.world.poi[0].carried_count;
             caught += scene.caught[0];
         }
     }
@@ -138,9 +138,9 @@ static void test_vision_reads_nothing_beyond_the_last_element(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 12 };
-    bot_stall_open(&stall, &config, &technique_expert);
-    const struct vision vision = bot_stall_sight(&stall),
-                        nobodys = { &stall.core.game, &stall.core.world, POI_MAX };
+    bot_fixture_open(&fixture, &config, &technique_expert);
+    const struct vision vision = bot_fixture_sight(&fixture),
+                        nobodys = { &fixture.core.game, &fixture.core.world, POI_MAX };
     expect_assert_failure((void)vision_fish(&vision, vision_game(&vision).fish_count));
     expect_assert_failure((void)vision_poi(&vision, POI_MAX));
     expect_assert_failure((void)vision_bowl(&vision, POI_MAX));

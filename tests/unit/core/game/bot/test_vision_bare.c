@@ -14,13 +14,13 @@
 #include "core/game/bot/vision.h"
 #include "core/scene_helpers.h"
 #include "core/tank/behavior/surface_breathing.h"
-#include "tests/unit/support/bot_stall.h"
+#include "tests/unit/support/bot_fixture.h"
 
 /* Byte that overwrites the invisible members. As a float its bytes give 12, as an int 10^9, and as
  * a byte 65. */
 #define NONSENSE 0x41
 
-static struct bot_stall stall;
+static struct bot_fixture fixture;
 static struct core bare;
 static struct scene scene, other_scene;
 
@@ -29,12 +29,12 @@ static struct scene scene, other_scene;
 static void begin(uint32_t seed)
 {
     const struct core_config config = { .seed = seed, .players = 2 };
-    bot_stall_open(&stall, &config, &technique_expert);
-    stall.input.poi[1] = (struct poi_input){ .link = POI_SOURCE_LIVE,
-                                             .has_wrist = 1,
-                                             .target.position_m = v3(0.2f, 0.1f, 0.1f) };
-    stall.input.shade[0] = (struct shade_input){ 1, -0.1f, 0.05f, 0.1f };
-    bot_stall_begin(&stall);
+    bot_fixture_open(&fixture, &config, &technique_expert);
+    fixture.input.poi[1] = (struct poi_input){ .link = POI_SOURCE_LIVE,
+                                               .has_wrist = 1,
+                                               .target.position_m = v3(0.2f, 0.1f, 0.1f) };
+    fixture.input.shade[0] = (struct shade_input){ 1, -0.1f, 0.05f, 0.1f };
+    bot_fixture_begin(&fixture);
 }
 
 /* Position of a struct member that the scene shows unchanged. */
@@ -240,10 +240,10 @@ static void test_a_reduced_state_gives_the_same_scene(void **state)
     (void)state;
     begin(8);
     for (uint32_t i = 0; i < 20u * CORE_TICK_HZ; i++) {
-        bot_stall_tick(&stall);
+        bot_fixture_tick(&fixture);
         if (i % 50u == 0) {
-            bare_of(&bare, &stall.core);
-            assert_true(scenes_are_equal(&stall.core, &bare));
+            bare_of(&bare, &fixture.core);
+            assert_true(scenes_are_equal(&fixture.core, &bare));
         }
     }
 }
@@ -266,7 +266,7 @@ static void change(void *of, const struct member *part)
 static int shows(void *of, const struct member *part)
 {
     change(of, part);
-    const int shown = !scenes_are_equal(&stall.core, &bare);
+    const int shown = !scenes_are_equal(&fixture.core, &bare);
     change(of, part);
     return shown;
 }
@@ -290,15 +290,15 @@ static void test_every_kept_member_of_a_reduced_state_changes_the_scene(void **s
     begin(8);
     /* The colour of a fish depends on its age only in a certain range, and this age is in that
      * range. */
-    stall.core.world.tank.fish[3].age_days = 80.0f;
-    stall.core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
+    fixture.core.world.tank.fish[3].age_days = 80.0f;
+    fixture.core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
     /* Raises the number of cells of new paper, because change() increases the number of cells, and
      * the sheet asserts that it has no more cells than when it was new. */
-    stall.core.world.poi[0].sheet.paper_cells_new = 0x7f0000u;
+    fixture.core.world.poi[0].sheet.paper_cells_new = 0x7f0000u;
     for (size_t i = 0; i < sizeof phases; i++) {
-        stall.core.game.phase = phases[i];
-        bare_of(&bare, &stall.core);
-        assert_true(scenes_are_equal(&stall.core, &bare));
+        fixture.core.game.phase = phases[i];
+        bare_of(&bare, &fixture.core);
+        assert_true(scenes_are_equal(&fixture.core, &bare));
         EACH_SHOWS(&bare, core_parts, &core);
         EACH_SHOWS(&bare.game.player[0], player_parts, &player);
         EACH_SHOWS(&bare.world.tank.fish[3], fish_parts, &fish);
@@ -320,16 +320,16 @@ static void test_a_bot_moves_identically_with_a_reduced_state(void **state)
     static struct bot twin;
     begin(8);
     for (uint32_t i = 0; i < 12u * CORE_TICK_HZ; i++) {
-        twin = stall.bot;
-        bare_of(&bare, &stall.core);
+        twin = fixture.bot;
+        bare_of(&bare, &fixture.core);
         const struct vision sight = { &bare.game, &bare.world, 0 };
         const struct poi_target blind = bot_tick(&twin, &sight);
-        bot_stall_tick(&stall);
-        assert_memory_equal(&blind, &stall.input.poi[0].target, sizeof blind);
+        bot_fixture_tick(&fixture);
+        assert_memory_equal(&blind, &fixture.input.poi[0].target, sizeof blind);
         assert_true(field_hash(HASH_START, &bot_fields, &twin) ==
-                    field_hash(HASH_START, &bot_fields, &stall.bot));
+                    field_hash(HASH_START, &bot_fields, &fixture.bot));
     }
-    assert_true(stall.core.world.poi[0].dips > 0);
+    assert_true(fixture.core.world.poi[0].dips > 0);
 }
 
 int main(void)

@@ -71,20 +71,20 @@ static void test_a_poi_returns_into_the_water_undamaged(void **state)
     (void)state;
     float worst = 0.0f;
     for (uint32_t i = 0; i < 8; i++) {
-        const struct poi_target wanted = {
+        const struct poi_target expected = {
             .position_m = v3(i % 2u ? 0.3f : 0.02f, -0.09f, 0.1f),
             .angles = { 0.0f, i & 2u ? 0.6f : 0.0f, i & 4u ? -0.5f : 0.0f },
         };
         uint32_t ticks = 1;
         begin(v3(0.0f, FAILSAFE_HOVER_M, 0.0f), (struct angles){ 0.0f, 0.0f, 0.0f });
         do {
-            fixture.hand = controller_failsafe_return(fixture.hand, wanted, ticks);
+            fixture.hand = controller_failsafe_return(fixture.hand, expected, ticks);
             fixture_tick(&fixture);
             ticks++;
             assert_true(ticks < 600);
-        } while (!controller_failsafe_is_returned(fixture.hand, wanted, ticks));
+        } while (!controller_failsafe_is_returned(fixture.hand, expected, ticks));
         assert_true(ticks >= FAILSAFE_RETURN_TICKS_MIN);
-        fixture.hand = wanted;
+        fixture.hand = expected;
         fixture_wait(&fixture, 0.5f);
         assert_int_equal(fixture.poi.sheet.paper_cells, fixture.poi.sheet.paper_cells_new);
         worst = f_max(worst, damage_max());
@@ -97,12 +97,12 @@ static void test_a_poi_catches_up_with_a_moving_controller(void **state)
 {
     (void)state;
     struct poi_target hand = { .position_m = v3(0.0f, FAILSAFE_HOVER_M, 0.0f) };
-    struct poi_target wanted = { .position_m = v3(0.2f, -0.05f, 0.0f) };
+    struct poi_target expected = { .position_m = v3(0.2f, -0.05f, 0.0f) };
     uint32_t ticks = 1;
-    for (; !controller_failsafe_is_returned(hand, wanted, ticks); ticks++) {
+    for (; !controller_failsafe_is_returned(hand, expected, ticks); ticks++) {
         /* The player's target moves on at 0.5 m/s while the poi returns to the target. */
-        wanted.position_m.x += 0.5f * CORE_TICK_S;
-        hand = controller_failsafe_return(hand, wanted, ticks);
+        expected.position_m.x += 0.5f * CORE_TICK_S;
+        hand = controller_failsafe_return(hand, expected, ticks);
         assert_true(ticks < 6u * CORE_TICK_HZ);
     }
     print_message("caught after %u ticks\n", ticks);
@@ -112,9 +112,9 @@ static void test_turns_take_the_short_way_round(void **state)
 {
     (void)state;
     struct poi_target hand = { .angles = { 3.0f, 0.0f, 0.0f } };
-    const struct poi_target wanted = { .angles = { -3.0f, 0.0f, 0.0f } };
-    for (uint32_t ticks = 1; !controller_failsafe_is_returned(hand, wanted, ticks); ticks++) {
-        hand = controller_failsafe_return(hand, wanted, ticks);
+    const struct poi_target expected = { .angles = { -3.0f, 0.0f, 0.0f } };
+    for (uint32_t ticks = 1; !controller_failsafe_is_returned(hand, expected, ticks); ticks++) {
+        hand = controller_failsafe_return(hand, expected, ticks);
         assert_true(f_abs(hand.angles.yaw_rad) > 2.9f);
     }
 }

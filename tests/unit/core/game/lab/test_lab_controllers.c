@@ -15,17 +15,17 @@ static void test_a_mouse_selects_the_part_under_it_on_any_screen(void **state)
         const struct layout_point canvas = pointer_layout_size(upright);
         const float unit = upright ? width / canvas.x : f_min(width / canvas.x, height / canvas.y);
         for (uint32_t i = 0; i < 25; i++) {
-            const struct layout_point wanted = { canvas.x * (0.1f + 0.2f * (float)(i % 5u)),
-                                                 canvas.y * (0.1f + 0.2f * (float)(i / 5u)) };
-            const float x_px = 0.5f * width + (wanted.x - 0.5f * canvas.x) * unit;
-            const float y_px = 0.5f * height + (wanted.y - 0.5f * canvas.y) * unit;
+            const struct layout_point expected = { canvas.x * (0.1f + 0.2f * (float)(i % 5u)),
+                                                   canvas.y * (0.1f + 0.2f * (float)(i / 5u)) };
+            const float x_px = 0.5f * width + (expected.x - 0.5f * canvas.x) * unit;
+            const float y_px = 0.5f * height + (expected.y - 0.5f * canvas.y) * unit;
             for (uint32_t dipped = 0; dipped < 2; dipped++) {
                 const vec3 hand_m =
                     view_point_on_plane(view, width / height, 2.0f * x_px / width - 1.0f,
                                         1.0f - 2.0f * y_px / height, dipped ? -0.05f : UP_M);
                 const struct layout_point got = pointer_project(view, upright, hand_m);
-                assert_float_equal(got.x, wanted.x, 0.5f);
-                assert_float_equal(got.y, wanted.y, 0.5f);
+                assert_float_equal(got.x, expected.x, 0.5f);
+                assert_float_equal(got.y, expected.y, 0.5f);
             }
         }
     }

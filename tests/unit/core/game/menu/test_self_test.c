@@ -226,7 +226,7 @@ static void test_the_operators_answers_decide_sound_and_lamps(void **state)
 /* Each row has a check, its expected result, and the health values that must cause this result.
  * Limits are tested on both sides. */
 static const struct {
-    uint8_t check, wanted;
+    uint8_t check, expected;
     struct scene_machine but;
 } health_rows[] = {
     { SELF_BACKUP, SELF_WARN, { .has_backup = 0 } },
@@ -287,10 +287,10 @@ static void test_every_system_health_row_has_every_state(void **state)
             machine->is_clock_back = but->is_clock_back;
         }
         const uint32_t next = judge();
-        assert_int_equal(state_of[health_rows[i].check], health_rows[i].wanted);
-        assert_int_equal(next, health_rows[i].wanted == SELF_GOOD ? (uint32_t)SELF_CHECKS
-                                                                  : health_rows[i].check);
-        assert_int_equal(self_test_left(state_of), health_rows[i].wanted != SELF_GOOD);
+        assert_int_equal(state_of[health_rows[i].check], health_rows[i].expected);
+        assert_int_equal(next, health_rows[i].expected == SELF_GOOD ? (uint32_t)SELF_CHECKS
+                                                                    : health_rows[i].check);
+        assert_int_equal(self_test_left(state_of), health_rows[i].expected != SELF_GOOD);
     }
 }
 

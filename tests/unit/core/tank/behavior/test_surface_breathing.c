@@ -25,7 +25,7 @@ static struct tank_config thesis_43(void)
     return config;
 }
 
-static struct tank_config stall_with(float oxygen_mg_l)
+static struct tank_config config_with(float oxygen_mg_l)
 {
     struct tank_config config = tank_config_of(TANK_PRESET_FESTIVAL);
     config.fish_count = 120;
@@ -122,9 +122,9 @@ static void test_low_stamina_starts_gulping_only_in_the_thesis_tank(void **state
     open(&config);
     run(2.0f);
     assert_int_equal(surfacing_count(&tank), 0);
-    struct tank_config stall = stall_with(TANK_OXYGEN_SATURATED);
-    stall.stamina_min = stall.stamina_max = 0.05f;
-    open(&stall);
+    struct tank_config saturated = config_with(TANK_OXYGEN_SATURATED);
+    saturated.stamina_min = saturated.stamina_max = 0.05f;
+    open(&saturated);
     run(10.0f);
     assert_int_equal(surfacing_count(&tank), 0);
 }
@@ -221,7 +221,7 @@ static struct watch watch(float seconds)
 static void test_gulpers_have_their_mouths_at_the_surface_and_their_bodies_below(void **state)
 {
     (void)state;
-    const struct tank_config config = stall_with(1.0f);
+    const struct tank_config config = config_with(1.0f);
     open(&config);
     run(25.0f);
     assert_true(surfacing_count(&tank) > 30);
@@ -245,7 +245,7 @@ static void test_bad_water_keeps_more_fish_at_the_surface_than_fair_water(void *
     static const float oxygens[4] = { 0.8f, 1.6f, 2.2f, 4.0f };
     float share[4];
     for (int i = 0; i < 4; i++) {
-        const struct tank_config config = stall_with(oxygens[i]);
+        const struct tank_config config = config_with(oxygens[i]);
         open(&config);
         run(20.0f);
         uint32_t count = 0;
@@ -268,7 +268,7 @@ static void test_gulpers_come_back_after_a_dive_while_the_water_is_bad(void **st
     (void)state;
     static uint32_t bouts[TANK_FISH_MAX];
     static uint8_t was[TANK_FISH_MAX];
-    const struct tank_config config = stall_with(1.6f);
+    const struct tank_config config = config_with(1.6f);
     open(&config);
     for (; now < 90u * CORE_TICK_HZ; now++) {
         tank_tick(&tank, now, NULL, 0);
@@ -333,7 +333,7 @@ static void test_gulps_make_ripples(void **state)
     (void)state;
     float stirred[2];
     for (int bad = 0; bad < 2; bad++) {
-        const struct tank_config config = stall_with(bad ? 1.0f : 8.0f);
+        const struct tank_config config = config_with(bad ? 1.0f : 8.0f);
         open(&config);
         run(12.0f);
         memset(&tank.water, 0, sizeof tank.water);
@@ -392,7 +392,7 @@ static void test_bad_water_lowers_stamina_and_gulping_restores_it(void **state)
 static void test_a_startled_gulping_fish_submerges_before_it_escapes(void **state)
 {
     (void)state;
-    const struct tank_config config = stall_with(1.0f);
+    const struct tank_config config = config_with(1.0f);
     open(&config);
     run(20.0f);
     uint32_t gulpers = 0, soon = 0;

@@ -20,12 +20,12 @@ static void test_a_calm_fish_needs_a_stronger_stimulus(void **state)
 {
     (void)state;
     struct perception around = *pond_at(1, 0);
-    struct fish living = pond_fish(LONG_M, GAIT_SWIM), calmer = living;
-    startle_alarm(&living, STARTLE_PRESSURE, v3(0.0f, 0.0f, 0.0f), 0.5f, 0, &around);
+    struct fish usual = pond_fish(LONG_M, GAIT_SWIM), calmer = usual;
+    startle_alarm(&usual, STARTLE_PRESSURE, v3(0.0f, 0.0f, 0.0f), 0.5f, 0, &around);
     around.temper.threshold_gain = 1.0f;
     startle_alarm(&calmer, STARTLE_PRESSURE, v3(0.0f, 0.0f, 0.0f), 0.5f, 0, &around);
-    assert_float_equal(calmer.alarm, 0.5f * living.alarm, 1e-6f);
-    assert_int_equal(living.startle, STARTLE_PRESSURE);
+    assert_float_equal(calmer.alarm, 0.5f * usual.alarm, 1e-6f);
+    assert_int_equal(usual.startle, STARTLE_PRESSURE);
     assert_int_equal(calmer.startle, STARTLE_NONE);
 }
 
@@ -33,11 +33,11 @@ static void test_a_longer_latency_delays_the_escape(void **state)
 {
     (void)state;
     struct perception around = *pond_at(1, 0);
-    struct fish living = pond_fish(LONG_M, GAIT_SWIM), calmer = living;
-    startle_alarm(&living, STARTLE_LOOM, v3(0.0f, 0.0f, 0.0f), 1.0f, 0, &around);
+    struct fish usual = pond_fish(LONG_M, GAIT_SWIM), calmer = usual;
+    startle_alarm(&usual, STARTLE_LOOM, v3(0.0f, 0.0f, 0.0f), 1.0f, 0, &around);
     around.temper.latency_gain = 1.5f;
     startle_alarm(&calmer, STARTLE_LOOM, v3(0.0f, 0.0f, 0.0f), 1.0f, 0, &around);
-    assert_float_equal(calmer.startle_s, 2.5f * living.startle_s, 1e-6f);
+    assert_float_equal(calmer.startle_s, 2.5f * usual.startle_s, 1e-6f);
 }
 
 static void test_a_shorter_reach_hides_a_distant_disc(void **state)
@@ -79,12 +79,12 @@ static void test_a_calm_fish_prefers_to_swim_below_the_surface(void **state)
 {
     (void)state;
     struct perception around = *pond_at(1, 0);
-    struct fish living = pond_fish(0.04f, GAIT_SWIM), calm = living;
-    gait_enter(&living, GAIT_SWIM, 0, &around);
+    struct fish usual = pond_fish(0.04f, GAIT_SWIM), calm = usual;
+    gait_enter(&usual, GAIT_SWIM, 0, &around);
     around.temper.calm_share = 1.0f;
     gait_enter(&calm, GAIT_SWIM, 0, &around);
     assert_true(calm.depth_goal_m > -0.035f && calm.depth_goal_m < -0.02f);
-    assert_true(living.depth_goal_m < -0.06f);
+    assert_true(usual.depth_goal_m < -0.06f);
 }
 
 int main(void)

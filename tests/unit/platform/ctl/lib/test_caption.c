@@ -94,18 +94,18 @@ static void test_larger_text_has_proportionally_more_ink(void **state)
     canvas_close(&large);
 }
 
-static void has_age(float days, const char *wanted)
+static void has_age(float days, const char *expected)
 {
     char words[CAPTION_WORDS_SIZE];
     caption_age(words, days);
-    assert_string_equal(words, wanted);
+    assert_string_equal(words, expected);
 }
 
-static void has_length(float length_m, const char *wanted)
+static void has_length(float length_m, const char *expected)
 {
     char words[CAPTION_WORDS_SIZE];
     caption_length(words, length_m);
-    assert_string_equal(words, wanted);
+    assert_string_equal(words, expected);
 }
 
 static void test_ages_and_lengths_have_suitable_units(void **state)
@@ -134,12 +134,13 @@ static void test_names_are_capitalized_and_spaced(void **state)
 static void test_scale_bars_are_one_two_or_five_units(void **state)
 {
     (void)state;
-    static const float wanted[][2] = { { 0.0019f, 0.001f }, { 0.002f, 0.002f }, { 0.0049f, 0.002f },
-                                       { 0.005f, 0.005f },  { 0.99f, 0.5f },    { 1.0f, 1.0f },
-                                       { 1e-5f, 1e-5f },    { 37.0f, 20.0f } };
-    for (uint32_t i = 0; i < sizeof wanted / sizeof wanted[0]; i++) {
-        const float got = caption_round_length_m(wanted[i][0]);
-        assert_true(f_abs(got / wanted[i][1] - 1.0f) < 1e-4f);
+    static const float expected[][2] = { { 0.0019f, 0.001f }, { 0.002f, 0.002f },
+                                         { 0.0049f, 0.002f }, { 0.005f, 0.005f },
+                                         { 0.99f, 0.5f },     { 1.0f, 1.0f },
+                                         { 1e-5f, 1e-5f },    { 37.0f, 20.0f } };
+    for (uint32_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
+        const float got = caption_round_length_m(expected[i][0]);
+        assert_true(f_abs(got / expected[i][1] - 1.0f) < 1e-4f);
     }
 }
 

@@ -394,13 +394,13 @@ static void test_a_replay_of_a_different_round_is_not_genuine(void **state)
                                     &round->player[0].hole_area_mm2 };
         uint8_t *const bytes[] = { &round->grade, &round->players, &sim.round.kind,
                                    &round->preset };
-        uint16_t *const stall[] = { &round->fish_count, &round->round_s };
+        uint16_t *const round_values[] = { &round->fish_count, &round->round_s };
         if (i < 7) {
             ++*words[i];
         } else if (i < 11) {
             ++*bytes[i - 7u];
         } else {
-            ++*stall[i - 11u];
+            ++*round_values[i - 11u];
         }
         assert_int_equal(
             replay_verifier_result(&verifier, &core.game.accounts.ranking, round_id, &sim.round),

@@ -108,16 +108,16 @@ static void write_as_before(struct ledger_file *file)
     assert_int_equal(ledger_file_write(file, entries, ENTRIES), 0);
 }
 
-/* Returns how many times `file` contains the bytes `wanted`. Returns 0 if the file does not
+/* Returns how many times `file` contains the bytes `expected`. Returns 0 if the file does not
  * exist. */
-static unsigned count_in(const char *file, const void *wanted, size_t size)
+static unsigned count_in(const char *file, const void *expected, size_t size)
 {
     static uint8_t bytes[4u * 1024u * 1024u];
     FILE *in = fopen(file, "rb");
     const size_t length = in ? fread(bytes, 1, sizeof bytes, in) : 0;
     unsigned count = 0;
     for (size_t i = 0; i + size <= length; i++) {
-        count += memcmp(bytes + i, wanted, size) == 0;
+        count += memcmp(bytes + i, expected, size) == 0;
     }
     if (in) {
         fclose(in);
@@ -182,12 +182,12 @@ static void test_the_plain_pin_is_erased_from_every_byte_of_an_old_database(void
     const int32_t kept = file.content.memory.settings.value[SET_PIN];
     assert_true(kept < 0 && pin_matches(kept, PIN));
     for (uint32_t id = 1; id <= ENTRIES; id += id == 100u ? 201u : 1u) {
-        struct ledger_entry entry, wanted = entry_of(id);
-        wanted.value = id % 2u ? kept : wanted.value;
+        struct ledger_entry entry, expected = entry_of(id);
+        expected.value = id % 2u ? kept : expected.value;
         /* Reading an entry verifies its checksum, so the checksum must have been updated for the
          * new value. */
         assert_int_equal(ledger_file_entry(&file, id, &entry), 0);
-        assert_memory_equal(&entry, &wanted, sizeof entry);
+        assert_memory_equal(&entry, &expected, sizeof entry);
     }
     assert_int_equal(plain_in("") + plain_in("-wal"), 0);
     assert_int_equal(ledger_backup_make(&file, beside(".copy"), true), 0);

@@ -223,7 +223,7 @@ static void test_only_regular_files_are_opened_beside_the_database(void **state)
         char name[80], target[80];
         struct stat about;
         snprintf(name, sizeof name, "%s%s", path, suffixes[i]);
-        snprintf(target, sizeof target, "%s.victim", path);
+        snprintf(target, sizeof target, "%s.foreign", path);
         take_version(LEDGER_FILE_VERSION);
         assert_int_equal(mkfifo(name, 0600), 0);
         cannot_be_written(name);

@@ -1,5 +1,5 @@
-/* test_stall.c -- checks that no fish is lost, duplicated or in two places while four players move
- * at random. */
+/* test_four_players.c -- checks that no fish is lost, duplicated or in two places while four
+ * players move at random. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

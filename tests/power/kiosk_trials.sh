@@ -1,17 +1,17 @@
 #!/bin/bash
-# kiosk_lives.sh -- runs real kiosks with failing file calls, and checks the data after a power
+# kiosk_trials.sh -- runs real kiosks with failing file calls, and checks the data after a power
 # cut.
-#   kiosk_lives.sh LIVES [SEED]
-# Each life is a kiosk in a window of a virtual screen, under tests/power/preload.c. Coins are
-# inserted, calls fail by seed, and SIGKILL ends the kiosk. A second kiosk continues with the same
-# files and ends in the same way. tests/power/kiosk_check.c then cuts the power at several places of
-# both. JOBS lives run in parallel. At the end one kiosk has every sync fail: its status must
-# report this, and kingyoctl must exit with 1. Exits with 1 if an entry was lost or duplicated, if
-# a database could not be opened, or if fewer calls than LIVES failed, because the faults were then
-# not injected.
+#   kiosk_trials.sh TRIALS [SEED]
+# Each trial runs two kiosks one after the other in a window of a virtual screen, under
+# tests/power/preload.c. Coins are inserted, calls fail by seed, and SIGKILL ends the kiosk. The
+# second kiosk continues with the same files and ends in the same way. tests/power/kiosk_check.c
+# then cuts the power at several places of both. JOBS trials run in parallel. At the end one kiosk
+# has every sync fail: its status must report this, and kingyoctl must exit with 1. Exits with 1 if
+# an entry was lost or duplicated, if a database could not be opened, or if fewer calls than TRIALS
+# failed, because the faults were then not injected.
 # shellcheck disable=SC2154,SC1091  # The sourced file sets `work`.
 set -u
-lives=$1 first_seed=${2:-1}
+trials=$1 first_seed=${2:-1}
 BUILD=${BUILD:-build}
 jobs=${JOBS:-$(nproc)}
 . tests/e2e/lib.sh
@@ -29,8 +29,8 @@ run_kiosk() { # FOLDER SEED [VARIABLES...]
         --data "$folder/data" >"$folder/out" 2>&1
 }
 
-live() { # NUMBER: Runs one life of two kiosks and checks its data.
-    local folder=$work/life-$1
+run_trial() { # NUMBER: Runs one trial of two kiosks and checks its data.
+    local folder=$work/trial-$1
     run_kiosk "$folder" $((2 * $1 + 1000 * first_seed))
     run_kiosk "$folder" $((2 * $1 + 1 + 1000 * first_seed))
     "$BUILD/tests/power/kiosk_check" "$folder/tape" "$folder/cut" "$1" >"$folder/verdict" 2>"$folder/why"
@@ -38,14 +38,14 @@ live() { # NUMBER: Runs one life of two kiosks and checks its data.
 }
 
 open_screen
-for ((life = 0; life < lives; life++)); do
+for ((trial = 0; trial < trials; trial++)); do
     while [ "$(jobs -rp | wc -l)" -ge "$jobs" ]; do wait -n; done
-    live $life 2>/dev/null & # Hides the message that Bash prints for each SIGKILL.
+    run_trial $trial 2>/dev/null & # Hides the message that Bash prints for each SIGKILL.
 done
 while [ "$(jobs -rp | wc -l)" -gt 0 ]; do wait -n; done
 
-cat "$work"/life-*/why | head -5 >&2
-cat "$work"/life-*/verdict | awk -v lives="$lives" '
+cat "$work"/trial-*/why | head -5 >&2
+cat "$work"/trial-*/verdict | awk -v trials="$trials" '
     { checked++; cuts += $1; acked += $2; found += $3; lost += $4; doubled += $5; unopenable += $6; coins += $7; unwell += $8
       for (i = 0; i < 6; i++) { failed[i] += $(9 + i); calls += $(9 + i) } }
     END {
@@ -53,8 +53,8 @@ cat "$work"/life-*/verdict | awk -v lives="$lives" '
         printf "  calls that failed: %d fsync, %d fdatasync, %d write, %d pwrite, %d ftruncate, %d rename; %d statuses reported a failing store\n", \
             failed[0], failed[1], failed[2], failed[3], failed[4], failed[5], unwell
         printf "  %d cuts: %d lost, %d doubled, %d unopenable\n", cuts, lost, doubled, unopenable
-        if (calls < lives) printf "  too few failed calls: %d, expected at least %d\n", calls, lives
-        exit !(checked == lives && acked > 0 && calls >= lives && lost + doubled + unopenable == 0)
+        if (calls < trials) printf "  too few failed calls: %d, expected at least %d\n", calls, trials
+        exit !(checked == trials && acked > 0 && calls >= trials && lost + doubled + unopenable == 0)
     }'
 verdict=$?
 

@@ -1,5 +1,5 @@
-/* stall.c -- implementation of stall.h: starts a game for a fuzz target. */
-#include "tests/fuzz/stall.h"
+/* try_game.c -- implementation of try_game.h: starts a game for a fuzz target. */
+#include "tests/fuzz/try_game.h"
 
 #include "core/base/panic.h"
 #include "tests/fuzz/trap.h"
@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-struct core stall_core;
+struct core try_game_core;
 
 /* Ends the process after a failed assertion of the core, so that the fuzzer reports a crash. */
 _Noreturn void core_panic(const char *condition, const char *file, int line)
@@ -16,24 +16,24 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
     __builtin_trap();
 }
 
-int stall_try(const struct core_config *config, uint32_t ticks)
+int try_game(const struct core_config *config, uint32_t ticks)
 {
     static struct output output;
     static struct scene scene;
     const struct input input = { 0 };
     memset(&output, 0, sizeof output);
-    if (core_init(&stall_core, config) != CORE_OK) {
+    if (core_init(&try_game_core, config) != CORE_OK) {
         return 0;
     }
     for (uint32_t i = 0; i < ticks; i++) {
         output.sound_count = 0;
-        core_tick(&stall_core, &input, &output);
+        core_tick(&try_game_core, &input, &output);
     }
-    core_scene(&stall_core, &scene);
+    core_scene(&try_game_core, &scene);
     return 1;
 }
 
-void stall_try_memory(const struct persistent_state *memory, uint32_t ticks)
+void try_game_persistent(const struct persistent_state *memory, uint32_t ticks)
 {
     static struct core_config config;
     memset(&config, 0, sizeof config);
@@ -42,5 +42,5 @@ void stall_try_memory(const struct persistent_state *memory, uint32_t ticks)
      * longer. */
     config.fish_count = 1;
     settings_sanitize(&config.persistent.settings);
-    HOLD(stall_try(&config, ticks));
+    HOLD(try_game(&config, ticks));
 }
