@@ -36,6 +36,7 @@ $(BUILD)/generated/species_table.c: assets/bake/species.mk
 	    $(foreach s,$(SPECIES),echo 'extern const struct species species_$(s);';) \
 	    echo 'const struct species *const species_table[] = {'; \
 	    $(foreach s,$(SPECIES),echo '    &species_$(s),';) echo '};'; \
+	    echo '_Static_assert($(words $(SPECIES)) <= SPECIES_BUILT_IN, "raise SPECIES_BUILT_IN in core/morph/species.h");'; \
 	    echo 'const uint32_t species_table_count = $(words $(SPECIES));'; } > $@
 
 $(BUILD)/generated/species_%.o: $(BUILD)/generated/species_%.c $(FOUND_TOOLS)

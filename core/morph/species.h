@@ -30,6 +30,8 @@
 #define SPECIES_NAME_SIZE 24u
 /* Number of levels of detail (LOD). Level 0 is for near fish, and level 1 is for distant fish. */
 #define SPECIES_LOD_COUNT 2u
+/* Largest number of built-in species (SPECIES in assets/bake/species.mk). The state hash covers a
+ * slot of each species, so a change of this number moves the hash of every recording. */
 #define SPECIES_BUILT_IN 7u
 #define SPECIES_EXTRA_MAX 8u /* Number of slots for species that are read from packed files. */
 #define SPECIES_MAX (SPECIES_BUILT_IN + SPECIES_EXTRA_MAX)
