@@ -1,5 +1,5 @@
 // Common block that is inserted before every shader: precisions, uniform values that all passes
-// share, and functions for water and goldfish colours.
+// share, and functions for water.
 precision highp float;
 precision mediump int;
 precision highp sampler2D;
@@ -15,12 +15,14 @@ layout(std140) uniform Frame {
     vec4 shadow;     // xy: factors from world x, z to the shadow map's -1 .. 1. zw: sideways drift
                      // of a shadow in m per m of height.
     vec4 bend;       // Columns of a matrix: shift of the refracted picture, as a fraction of the
-                     // screen, per unit of surface slope in x and in z.
+                     // picture, per unit of surface slope in x and in z.
     vec4 shade_map;  // xy: factors from world x, z to the shade map's -0.5 .. 0.5.
+    vec4 crop;       // Factors (xy) from a pixel of the screen, and offsets (zw), to a place in the
+                     // pictures of the objects below the water.
 };
 
-// Fractions of light that circular shades absorb, seen from above (shade.frag.glsl). r, g: fans only,
-// at the water surface and at the floor. b, a: fans and dry pois, likewise.
+// Fractions of light that circular shades absorb, seen from above (shade.frag.glsl). r, g: fans
+// only, at the water surface and at the floor. b, a: fans and dry pois, likewise.
 uniform sampler2D shades;
 
 // Maximum slope of the water surface for the refraction, as in basin_pass.c.
@@ -29,7 +31,7 @@ const vec3 WATER_COLOR = vec3(0.09, 0.42, 0.53);
 const vec3 LAMP_DIRECTION = vec3(0.251, 0.955, 0.151); // Direction from any point to the lamps of
                                                        // the stall.
 const vec3 WHITE = vec3(1.0, 0.955, 0.90);             // Skin colour of a goldfish where the skin
-                                                       // is not red.
+                                                       // is not red, as in fish_colours.c.
 const float CAUSTIC_TILES = 3.6;                       // Number of caustics tiles per metre.
 
 // Returns the fraction of light that remains after `path_m` metres of water. Water absorbs red the
@@ -40,58 +42,18 @@ vec3 water_passes(float path_m)
 }
 
 // Returns the fractions of light that are absorbed at point `at`, above or below the water, by the
-// shades of the fans (x), and by the shades of the fans and of the dry pois (y). The light falls from
-// straight above, as in core/tank/shade.h, in which the fish detect shade. The edge of a shade blurs
-// with the depth.
+// shades of the fans (x), and by the shades of the fans and of the dry pois (y). The light falls
+// from straight above, as in core/tank/shade.h, in which the fish detect shade. The edge of a shade
+// blurs with the depth.
 vec2 shades_at(vec3 at)
 {
     vec4 map = texture(shades, at.xz * shade_map.xy + 0.5);
     return mix(map.rb, map.ga, clamp(-at.y / tank.y, 0.0, 1.0));
 }
 
-// Returns the fraction of light that the shades of the fans absorb at the height of the water surface
-// or above.
+// Returns the fraction of light that the shades of the fans absorb at the height of the water
+// surface or above.
 float shade_above(vec3 at)
 {
     return texture(shades, at.xz * shade_map.xy + 0.5).r;
-}
-
-// Returns the red of a goldfish with this hue. The colours range from vermilion to, rarely, orange.
-vec3 red_of(float hue)
-{
-    return mix(vec3(1.0, 0.085, 0.015), vec3(1.0, 0.40, 0.03), hue * hue * hue);
-}
-
-// Colour of a young goldfish.
-const vec3 FRY = vec3(0.40, 0.42, 0.27);
-// Returns the fraction of the young colour that a point of the skin has lost. `ahead` is above 0
-// where the loss begins earlier, as on the belly.
-float turned(float maturity, float ahead)
-{
-    return smoothstep(0.10, 0.42, maturity + ahead);
-}
-
-// Writes the skin colours of a goldfish: `pale` where its pattern is white, and `stain` where its
-// pattern is red. `under` is 0 at the back and 1 at the belly. The tank and the album use this
-// function, so that a fish has the same colours in both.
-void goldfish_skin(float under, float maturity, float hue, out vec3 pale, out vec3 stain)
-{
-    float belly = smoothstep(0.52, 0.96, under);
-    vec3 red = red_of(hue);
-    vec3 below = mix(WHITE, red, 0.25);
-    vec3 young = mix(FRY * (0.62 + 0.38 * under), vec3(0.80, 0.80, 0.66), belly);
-    pale = mix(young, mix(WHITE, below, 0.55 * belly), turned(maturity, 0.10 * belly - 0.06));
-    stain = mix(young, mix(red, below, 0.55 * belly), turned(maturity, 0.10 * belly + 0.06));
-}
-
-// Returns the colour of a goldfish's fins at (u, v), the coordinates of species.h. `layer` is the
-// pattern layer of the fish's skin.
-vec3 goldfish_fin(vec2 at, float maturity, float hue, float layer)
-{
-    float seed = fract(hue * 17.31);
-    float root = 1.0 - at.y;
-    float stained = smoothstep(0.30, 0.72, fract(seed * 7.7 + layer * 0.37)
-        + 0.20 * sin(at.x * 9.0 + hue * 20.0) + 0.25 * root);
-    vec3 tint = mix(WHITE, red_of(hue), stained);
-    return mix(mix(FRY * 1.25, tint, turned(maturity, 0.0)), WHITE, 0.22 * at.y);
 }

@@ -19,6 +19,7 @@ void main()
     float alpha = (0.42 + 0.51 * root * root) * (0.70 + 0.30 * rays);
     // The fin's edge is frayed.
     alpha *= 1.0 - 0.75 * clamp((skin.y - 0.86 - 0.08 * rays) * 12.0, 0.0, 1.0);
+    alpha *= 2.0 - alpha; // A fin has two sides of this opacity.
     color = vec4((stain * (0.90 + 0.22 * rays) + haze.rgb) * alpha, alpha);
 }
 #else
@@ -37,6 +38,9 @@ void main()
     float scales = mix(pattern.g, 0.70, skin.w);
     float gill = haze.w * max(1.0 - abs(skin.x - 0.252) * 45.0, 0.0);
     vec3 tint = mix(pale, stain, red) * ((0.74 + 0.38 * scales) * (1.0 - gill));
+    // The skin is darker where it turns away from the viewer.
+    float facing = clamp(turned_to * 2.4, 0.0, 1.0);
+    tint *= 0.42 + 0.60 * (2.0 - facing) * facing;
     // The outline of a round body is where its surface turns away from the viewer. The outline
     // fades there over about a pixel, which smooths it.
     float cover = clamp(turned_to / fwidth(turned_to) + 0.15, 0.0, 1.0);

@@ -7,11 +7,21 @@ layout(location = 10) in vec4 right_phase; // The body's right axis in the world
                                            // swimming wave.
 layout(location = 11) in vec4 up_amplitude; // The body's up axis in the world. w: amplitude of the
                                             // swimming wave.
-layout(location = 14) in vec4 character;   // Bend in rad, maturity, pattern layer, hue.
+layout(location = 14) in vec4 character;   // Bend in rad, pattern layer, fraction by which the fins are
+                                           // stained, random fraction different for each fish.
+#ifdef FIN
+layout(location = 0) in vec4 pale_fin;     // Colour of a fin where it is white. w: phase of the stains.
+layout(location = 1) in vec3 stain_fin;    // Colour of a fin where it is red.
+#else
+layout(location = 0) in vec3 pale_back;    // Colours of the skin where the pattern is white and where
+layout(location = 1) in vec3 stain_back;   // it is red, at the back and at the belly
+layout(location = 2) in vec3 pale_belly;   // (platform/render/fish_colours.h).
+layout(location = 3) in vec3 stain_belly;
+#endif
 layout(location = 13) in vec4 rides;       // zw: motion of the opening mouth, as pack_mouth() of
                                            // fish_mesh.c writes it.
-layout(location = 15) in vec3 gulp;        // Opening of the mouth, phase of the gulp, row of the
-                                           // fish in `shapes`, or -1 - row for a fish in a bowl.
+layout(location = 15) in vec3 gulp;        // Opening of the mouth, phase of the gulp or -1 for a fish
+                                           // in a bowl, row of the fish in `shapes`.
 
 uniform sampler2D caustics;
 uniform sampler2D shapes; // For each vertex a texel with the position, in body lengths, and a texel
@@ -47,9 +57,12 @@ const float LOWER_LIP = 0.022;   // Largest motion of the mouth up or down, as i
 #ifdef FIN
 void colour()
 {
-    stain = goldfish_fin(surface.xy, character.y, character.w, character.z);
+    float root = 1.0 - surface.y;
+    float stained = smoothstep(0.30, 0.72, character.z + 0.20 * sin(surface.x * 9.0 + pale_fin.w)
+        + 0.25 * root);
+    stain = mix(mix(pale_fin.rgb, stain_fin, stained), WHITE, 0.22 * surface.y);
     pale = stain;
-    skin = vec4(surface.x * 9.87 + fract(character.w * 17.31), surface.y, 0.0, 0.0);
+    skin = vec4(surface.x * 9.87 + character.w, surface.y, 0.0, 0.0);
 }
 #else
 void colour()
@@ -57,14 +70,13 @@ void colour()
     float eye_part = step(0.5, surface.z * 255.0);
     float under = 1.0 - abs(surface.y * 2.0 - 1.0); // 0 at the back, 1 at the belly.
     float belly = smoothstep(0.52, 0.96, under);
-    goldfish_skin(under, character.y, character.w, pale, stain);
-    vec3 iris = mix(vec3(0.86, 0.62, 0.20), vec3(0.78, 0.78, 0.72), fract(character.w * 17.31));
-    pale = mix(pale, iris, eye_part);
-    stain = mix(stain, vec3(0.015), eye_part);
+    vec3 iris = mix(vec3(0.86, 0.62, 0.20), vec3(0.78, 0.78, 0.72), character.w);
+    pale = mix(mix(pale_back, pale_belly, belly), iris, eye_part);
+    stain = mix(mix(stain_back, stain_belly, belly), vec3(0.015), eye_part);
     float ridge = (1.0 - smoothstep(0.0, 0.42, under)) * smoothstep(0.0, 0.12, surface.x);
     haze.rgb = vec3(0.20 * ridge * (1.0 - eye_part)); // Scales on the back reflect light upward.
     haze.w = smoothstep(0.15, 0.35, under) * (1.0 - belly * 0.6) * (1.0 - eye_part) * 0.30;
-    skin = vec4(surface.xy, floor(character.z + 0.5), eye_part);
+    skin = vec4(surface.xy, character.y, eye_part);
 }
 #endif
 
@@ -82,8 +94,8 @@ float open_mouth(inout vec3 p)
 
 void main()
 {
-    bool is_in_bowl = gulp.z < 0.0;
-    ivec2 texel = ivec2(2 * gl_VertexID, int((is_in_bowl ? -1.0 - gulp.z : gulp.z) + 0.5));
+    bool is_in_bowl = gulp.y < 0.0;
+    ivec2 texel = ivec2(2 * gl_VertexID, int(gulp.z + 0.5));
     vec3 p = texelFetch(shapes, texel, 0).xyz;
     vec3 n = texelFetch(shapes, texel + ivec2(1, 0), 0).xyz;
 
@@ -159,8 +171,8 @@ void main()
     float caustic = textureLod(caustics, world.xz * CAUSTIC_TILES * 1.15, 0.0).r;
     float light = diffuse * (1.0 + (caustic * 2.4 - 0.55) * max(n.y, 0.0) * (1.0 - wet));
     // Above the water only the shades of fans count, because a fish above the water lies on the poi
-    // that casts the shade. The clear water of a bowl absorbs no light, and its fish are as bright as
-    // on the poi that poured them.
+    // that casts the shade. The clear water of a bowl absorbs no light, and its fish are as bright
+    // as on the poi that poured them.
     vec2 shade_here = shades_at(world);
     float shade = world.y < 0.0 && !is_in_bowl ? shade_here.y : shade_here.x;
     light *= 1.0 - 0.85 * shade;
@@ -176,7 +188,6 @@ void main()
     shine *= shine;
     // Wet skin in air has a narrower highlight than skin in water, but is not brighter elsewhere.
     float gloss = mix(0.62 * shine, 0.90 * shine * shine, wet) * (1.0 - shade);
-    light *= 0.42 + 0.60 * smoothstep(0.0, 0.42, facing);
 #endif
     haze = vec4(0.0);
     colour();

@@ -1,15 +1,30 @@
-// Ring and handle of a poi, a plastic solid with a pose.
+// Ring and handle of a poi, a plastic solid with a pose. The light that changes little between two
+// vertices is computed here.
 layout(location = 0) in vec3 position;  // Position in ring radii.
 layout(location = 1) in vec3 normal;
+layout(location = 2) in vec2 surface;   // x: position around the ring, from 0 to 1.
 uniform mat4 pose;
-out vec3 world;
+uniform vec4 paint;                     // w: number of white marks that distinguish the player.
 out vec3 face;
-out vec3 at;
+out vec3 view;      // Direction to the viewer.
+out vec3 middle;    // Direction halfway between the viewer and the lamps.
+out vec3 left;      // Fraction of the light that passes through the water.
+out vec3 mark;      // x: a mark lies where the fraction of x is near 0.5. y: half of the width of a
+                    // mark. z: brightness below the fans.
+
+const float RING_END = 1.19;            // Coordinate z at which the handle leaves the ring.
 
 void main()
 {
-    at = position;
-    world = (pose * vec4(position, 1.0)).xyz;
-    face = normalize(mat3(pose) * normal);
+    vec3 world = (pose * vec4(position, 1.0)).xyz;
+    face = mat3(pose) * normal;
+    view = normalize(eye.xyz - world);
+    middle = normalize(view + LAMP_DIRECTION);
+    left = water_passes(-world.y * 1.2);
+    // The marks of the ring are evenly spaced. The marks of the handle are 0.3 ring radii apart.
+    bool is_ring = position.z < RING_END;
+    mark.x = is_ring ? (surface.x + 0.25) * paint.w : clamp((position.z - 2.0) / 0.30, 0.0, paint.w);
+    mark.y = paint.w < 0.5 ? -1.0 : is_ring ? 0.05 * paint.w : 0.24;
+    mark.z = 1.0 - 0.7 * shade_above(world);
     gl_Position = view_projection * vec4(world, 1.0);
 }

@@ -1,18 +1,48 @@
-// The paper of a poi, a disc that sags under its load.
+// The paper of a poi, a disc that sags under its load. The light that changes little between two
+// vertices is computed here.
 layout(location = 0) in vec2 position;  // Position in ring radii. y increases toward the handle.
 uniform mat4 pose;
 uniform vec4 paper;                     // x: sag in ring radii. y: layer of `sheet`.
-out vec3 world;
-out vec3 face;
+uniform vec2 pool;                      // x: world height of the pool on the paper.
+uniform vec4 rests[2];                  // Fish on this paper. xyz: centre. w: length in m; 0 means
+                                        // no fish.
+uniform vec3 spines[2];
 out vec2 at;
+out vec4 light;     // x: brightness. y: shadow of the fish on the paper. z: cosine of the angle
+                    // between the normal and the direction halfway to the lamps. w: height above
+                    // the water surface in m.
+out vec4 water;     // rgb: fraction of the light that passes through the water. a: depth of the pool.
+out vec4 gleam;     // xy: change of light.z for each unit of slope. z: the same for a level surface.
+                    // w: brightness of the sky's reflection in the pool.
+
+// Returns the soft shadow of a fish on the paper, which makes the fish appear to lie on the paper.
+float shade(vec3 world, vec4 rest, vec3 spine)
+{
+    vec3 d = world - rest.xyz + vec3(0.10, 0.0, -0.02) * rest.w; // The shadow is shifted to the
+                                                                 // side, where it is visible.
+    float along = dot(d, spine);
+    float across = length(d - spine * along);
+    return (1.0 - smoothstep(0.12, 0.40, across / max(rest.w, 1e-4)))
+        * (1.0 - smoothstep(0.34, 0.62, abs(along) / max(rest.w, 1e-4)));
+}
 
 void main()
 {
     float r2 = dot(position, position);
     vec3 local = vec3(position.x, -paper.x * (1.0 - r2), position.y);
-    world = (pose * vec4(local, 1.0)).xyz;
+    vec3 world = (pose * vec4(local, 1.0)).xyz;
     vec2 slope = -2.0 * paper.x * position;
-    face = normalize(mat3(pose) * vec3(slope.x, 1.0, slope.y));
+    vec3 view = normalize(eye.xyz - world);
+    vec3 n = normalize(mat3(pose) * vec3(slope.x, 1.0, slope.y));
+    n *= sign(dot(n, view)); // The normal is turned to the face that the viewer sees.
+    vec3 middle = normalize(view + LAMP_DIRECTION);
+    float away = 1.0 - max(view.y, 0.0);
     at = position * 0.5 + 0.5;
+    light.x = (0.66 + 0.40 * max(dot(n, LAMP_DIRECTION), 0.0)) * (1.0 - 0.7 * shade_above(world));
+    light.y = max(shade(world, rests[0], spines[0]), shade(world, rests[1], spines[1]));
+    light.z = max(dot(n, middle), 0.0);
+    light.w = world.y;
+    water = vec4(water_passes(-world.y * 1.2), pool.x - world.y);
+    gleam = vec4(middle.xz, middle.y, 0.02 + 0.5 * away * away * away);
     gl_Position = view_projection * vec4(world, 1.0);
 }

@@ -23,6 +23,46 @@ const vec3 BELOW = vec3(0.14, 0.24, 0.28); // Ambient light from below, through 
 const vec3 EDGE = vec3(0.36, 0.48, 0.56);
 const float PUPIL = 0.56; // Radius of the pupil, as a fraction of the eye's visible radius.
 
+// Returns the red of a goldfish with this hue. The colours range from vermilion to, rarely, orange.
+vec3 red_of(float hue)
+{
+    return mix(vec3(1.0, 0.085, 0.015), vec3(1.0, 0.40, 0.03), hue * hue * hue);
+}
+
+// Colour of a young goldfish.
+const vec3 FRY = vec3(0.40, 0.42, 0.27);
+// Returns the fraction of the young colour that a point of the skin has lost. `ahead` is above 0
+// where the loss begins earlier, as on the belly.
+float turned(float maturity, float ahead)
+{
+    return smoothstep(0.10, 0.42, maturity + ahead);
+}
+
+// Writes the skin colours of a goldfish: `pale` where its pattern is white, and `stain` where its
+// pattern is red. `under` is 0 at the back and 1 at the belly. In the
+// tank, fish_colours.c computes the same colours.
+void goldfish_skin(float under, float maturity, float hue, out vec3 pale, out vec3 stain)
+{
+    float belly = smoothstep(0.52, 0.96, under);
+    vec3 red = red_of(hue);
+    vec3 below = mix(WHITE, red, 0.25);
+    vec3 young = mix(FRY * (0.62 + 0.38 * under), vec3(0.80, 0.80, 0.66), belly);
+    pale = mix(young, mix(WHITE, below, 0.55 * belly), turned(maturity, 0.10 * belly - 0.06));
+    stain = mix(young, mix(red, below, 0.55 * belly), turned(maturity, 0.10 * belly + 0.06));
+}
+
+// Returns the colour of a goldfish's fins at (u, v), the coordinates of species.h. `layer` is the
+// pattern layer of the fish's skin.
+vec3 goldfish_fin(vec2 at, float maturity, float hue, float layer)
+{
+    float seed = fract(hue * 17.31);
+    float root = 1.0 - at.y;
+    float stained = smoothstep(0.30, 0.72, fract(seed * 7.7 + layer * 0.37)
+        + 0.20 * sin(at.x * 9.0 + hue * 20.0) + 0.25 * root);
+    vec3 tint = mix(WHITE, red_of(hue), stained);
+    return mix(mix(FRY * 1.25, tint, turned(maturity, 0.0)), WHITE, 0.22 * at.y);
+}
+
 vec3 to_light(vec3 c)
 {
     return c * c * (0.30 * c + 0.70);

@@ -79,26 +79,14 @@ void main() {
     colour = framed(vec4(c, inner.a));
 }
 #elif defined(UI_WAVES)
-// Cloth with sea waves (UI_WAVES). Each wave consists of three arcs, and each row of waves hides
-// a part of the row above. The cloth has two soft folds.
-float arcs(vec2 p) {
-    float row = floor(p.y * 2.0);
-    float result = 0.0;
-    for (int i = 0; i < 3; i++) {
-        float r = row + float(i);
-        vec2 c = vec2(mod(p.x + mod(r, 2.0), 2.0) - 1.0, p.y - 0.5 * r - 1.0);
-        float d = length(c);
-        if (d < 1.0) {
-            result = smoothstep(0.10, 0.22, 0.5 - abs(fract(d * 3.0) - 0.5));
-        }
-    }
-    return 1.0 - result;
-}
+// Cloth with sea waves (UI_WAVES), whose pattern ui.c draws. The cloth has two soft folds.
+uniform lowp sampler2D waves;
 void main() {
     float thread = fibre(at * vec2(0.021, 0.004)) - 0.5;
     float fold = sin(at.x / s.x * 4.7 + 0.6) * (0.4 + 0.3 * at.y / s.y);
     vec3 cloth = inner.rgb * (1.0 + 0.16 * fold + 0.18 * thread);
-    cloth += vec3(0.045, 0.055, 0.095) * arcs((at + s.xy) / clamp(s.z * 1.7, 14.0, 96.0));
+    vec2 unit = vec2(0.5, 1.0) / clamp(s.z * 1.7, 14.0, 96.0);
+    cloth += vec3(0.045, 0.055, 0.095) * texture(waves, (at + s.xy) * unit).r;
     colour = framed(vec4(cloth, inner.a));
 }
 #elif defined(UI_RING)

@@ -12,7 +12,7 @@ const vec2 MIRROR_GAIN = vec2(0.75, 0.5); // Converts the green of `mirror` to a
 
 void main()
 {
-    vec2 place = gl_FragCoord.xy * screen.xy;
+    vec2 place = gl_FragCoord.xy * crop.xy + crop.zw;
     vec4 surface = texture(mirror, place);
     vec2 at = place + mat2(bend) * ((surface.ba - 0.5) * (2.0 * SEEN_SLOPE_MAX));
     vec4 swims = texture(life, at);

@@ -82,19 +82,108 @@ static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_
     memcpy(out + sizeof rest, paint, sizeof paint);
 }
 
+/* Body coordinate u of an eye's vertex below which the vertex belongs to the front half. */
+#define EYE_FRONT 0.75f
+
+static bool is_fin(uint8_t part)
+{
+    return part != PART_BODY && part != PART_EYE;
+}
+
 /* Copies the triangles of the fins if `fins` is true, otherwise the triangles of the body and the
  * eyes. Returns the number of indices written. */
 static uint32_t gather(uint16_t *out, const struct species_mesh *source, bool fins)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < source->index_count / 3u; i++) {
-        const uint8_t part = source->vertices[source->indices[i * 3u]].part;
-        if ((part != PART_BODY && part != PART_EYE) == fins) {
+        if (is_fin(source->vertices[source->indices[i * 3u]].part) == fins) {
             memcpy(out + count, source->indices + i * 3u, 3u * sizeof *out);
             count += 3u;
         }
     }
     return count;
+}
+
+/* Number of preceding triangles among which a triangle of a fin has its other side. */
+#define SIDES_APART 2u
+
+/* Removes the triangles with the same vertices as a preceding triangle, which are the other sides
+ * of fins, and the triangles without an area. Returns the number of remaining indices. */
+static uint32_t remove_sides(uint16_t *indices, uint32_t count)
+{
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < count; i += 3u) {
+        const uint16_t *const t = indices + i;
+        bool is_spare = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+        for (uint32_t k = kept > 3u * SIDES_APART ? kept - 3u * SIDES_APART : 0; k < kept;
+             k += 3u) {
+            const uint16_t *const other = indices + k;
+            is_spare |= t[0] == other[0] && t[1] == other[2] && t[2] == other[1];
+        }
+        if (!is_spare) {
+            memmove(indices + kept, t, 3u * sizeof *indices);
+            kept += 3u;
+        }
+    }
+    return kept;
+}
+
+/* Returns the vertex that replaces vertex `index` in the mesh of a small fish. The mesh keeps every
+ * second spoke of the body, every second ray of the dorsal fin, and the ends of the tail's rays. */
+static uint16_t small_vertex(const struct species_mesh *source, uint16_t index)
+{
+    const struct species_vertex *const all = source->vertices;
+    const struct species_vertex *const vertex = &all[index];
+    const uint32_t row = source->grid_spokes + 1u;
+    if (vertex->part == PART_BODY) {
+        const uint32_t at = index - source->grid_first;
+        const bool is_odd =
+            index >= source->grid_first && at < source->grid_rings * row && at % row % 2u == 1u;
+        return (uint16_t)(index - is_odd);
+    }
+    /* The vertices of a fin are consecutive, ray by ray. All vertices of a ray have the same u. */
+    uint32_t first = index, ray_first = index, end = index;
+    while (first > 0 && all[first - 1u].part == vertex->part) {
+        first--;
+    }
+    while (ray_first > first && all[ray_first - 1u].u == vertex->u) {
+        ray_first--;
+    }
+    while (end < source->vertex_count && all[end].part == vertex->part && all[end].u == vertex->u) {
+        end++;
+    }
+    const uint32_t length = end - ray_first;
+    if (vertex->part == PART_TAIL && index + 1u < end) {
+        return (uint16_t)ray_first;
+    }
+    if (vertex->part == PART_DORSAL && (ray_first - first) / length % 2u == 1u) {
+        return (uint16_t)(index - length);
+    }
+    return index;
+}
+
+/* Returns true if a triangle with the vertex belongs to the mesh of a small fish. The rear half of
+ * an eye and the fins below the body do not. */
+static bool is_in_small(const struct species_vertex *vertex)
+{
+    return vertex->part == PART_EYE ? vertex->u < EYE_FRONT
+                                    : vertex->part != PART_ANAL && vertex->part != PART_PELVIC;
+}
+
+/* Copies the triangles of the mesh for small fish. Returns the number of indices written. */
+static uint32_t gather_small(uint16_t *out, const struct species_mesh *source, bool fins)
+{
+    const uint32_t count = gather(out, source, fins);
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < count; i += 3u) {
+        bool is_kept = true;
+        for (uint32_t k = 0; k < 3; k++) {
+            is_kept = is_kept && is_in_small(&source->vertices[out[i + k]]);
+            out[kept + k] = small_vertex(source, out[i + k]);
+        }
+        kept += is_kept ? 3u : 0u;
+    }
+    return remove_sides(out, kept);
 }
 
 void fish_mesh_reserve(struct fish_mesh *mesh)
@@ -104,18 +193,21 @@ void fish_mesh_reserve(struct fish_mesh *mesh)
     glGenBuffers(1, &mesh->index_buffer);
 }
 
-void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
-                    const struct species_mesh *source, uint32_t key_count)
+/* Uploads the mesh `source`, and the lists of triangles in memory->indices, whose lengths are in
+ * mesh->index_counts. */
+static void upload(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
+                   const struct species_mesh *source, uint32_t key_count)
 {
-    CORE_ASSERT(key_count > 0);
+    CORE_ASSERT(key_count > 0 && key_count <= MORPH_KEY_MAX);
     const size_t rest = key_count * KEY_SIZE, stride = rest + REST_SIZE;
-    CORE_ASSERT(key_count <= MORPH_KEY_MAX);
-    CORE_ASSERT(source->vertex_count <= MESH_VERTEX_MAX && source->index_count <= MESH_INDEX_MAX);
+    size_t index_count = 0;
+    for (uint32_t i = 0; i < FISH_TRIANGLES_COUNT; i++) {
+        index_count += (size_t)mesh->index_counts[i];
+    }
+    CORE_ASSERT(source->vertex_count <= MESH_VERTEX_MAX);
     for (uint32_t i = 0; i < source->vertex_count; i++) {
         pack_vertex(memory->vertices + i * stride, source, key_count, i);
     }
-    const uint32_t body = gather(memory->indices, source, false);
-    const uint32_t fins = gather(memory->indices + body, source, true);
     glBindVertexArray(mesh->vertex_array);
     glBindBuffer(GL_ARRAY_BUFFER, mesh->vertex_buffer);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(source->vertex_count * stride), memory->vertices,
@@ -139,12 +231,38 @@ void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
     glVertexAttribPointer(FISH_ATTRIBUTE_PAINT, 2, GL_UNSIGNED_SHORT, GL_TRUE, (GLsizei)stride,
                           (const void *)(rest + BYTES_SIZE));
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh->index_buffer);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)((body + fins) * sizeof *memory->indices),
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(index_count * sizeof *memory->indices),
                  memory->indices, GL_STATIC_DRAW);
-    mesh->body_index_count = (GLsizei)body;
-    mesh->fin_index_count = (GLsizei)fins;
     mesh->reach = source->reach;
     glBindVertexArray(0);
+}
+
+void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
+                    const struct species_mesh *source, uint32_t key_count)
+{
+    CORE_ASSERT(source->index_count <= MESH_INDEX_MAX);
+    const uint32_t body = gather(memory->indices, source, false);
+    const uint32_t fins = gather(memory->indices + body, source, true);
+    memset(mesh->index_counts, 0, sizeof mesh->index_counts);
+    mesh->index_counts[FISH_BODY] = (GLsizei)body;
+    mesh->index_counts[FISH_FINS] = (GLsizei)fins;
+    upload(mesh, memory, source, key_count);
+}
+
+void fish_mesh_fill_tank(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
+                         const struct species_mesh *source, uint32_t key_count)
+{
+    uint32_t first = 0;
+    for (enum fish_triangles list = 0; list < FISH_TRIANGLES_COUNT; list++) {
+        uint16_t *const out = memory->indices + first;
+        const bool fins = list == FISH_FINS || list == FISH_SMALL_FINS;
+        CORE_ASSERT(first + source->index_count <= 2u * MESH_INDEX_MAX);
+        const uint32_t count = list < FISH_SMALL_BODY ? remove_sides(out, gather(out, source, fins))
+                                                      : gather_small(out, source, fins);
+        mesh->index_counts[list] = (GLsizei)count;
+        first += count;
+    }
+    upload(mesh, memory, source, key_count);
 }
 
 void fish_mesh_close(struct fish_mesh *mesh)
@@ -155,12 +273,16 @@ void fish_mesh_close(struct fish_mesh *mesh)
     *mesh = (struct fish_mesh){ 0 };
 }
 
-void fish_mesh_draw(const struct fish_mesh *mesh, bool fins, GLsizei instance_count)
+void fish_mesh_draw(const struct fish_mesh *mesh, enum fish_triangles triangles,
+                    GLsizei instance_count)
 {
-    CORE_ASSERT(instance_count > 0);
-    const size_t first = fins ? (size_t)mesh->body_index_count * sizeof(uint16_t) : 0u;
-    glDrawElementsInstanced(GL_TRIANGLES, fins ? mesh->fin_index_count : mesh->body_index_count,
-                            GL_UNSIGNED_SHORT, (const void *)first, instance_count);
+    CORE_ASSERT(instance_count > 0 && triangles < FISH_TRIANGLES_COUNT);
+    size_t first = 0;
+    for (uint32_t i = 0; i < triangles; i++) {
+        first += (size_t)mesh->index_counts[i];
+    }
+    glDrawElementsInstanced(GL_TRIANGLES, mesh->index_counts[triangles], GL_UNSIGNED_SHORT,
+                            (const void *)(first * sizeof(uint16_t)), instance_count);
 }
 
 uint32_t fish_poses_pack(float out[][4], const struct morph_pose *pose, uint32_t curve_count,

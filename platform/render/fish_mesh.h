@@ -26,11 +26,21 @@ enum fish_attribute {
  * shapes, then the surface, mask, anchor and paint bytes. */
 #define FISH_VERTEX_SIZE_MAX (MORPH_KEY_MAX * sizeof(struct species_point) + 16u)
 
-/* Mesh of one level of detail of a fish. The index buffer has the indices of the body and the eyes
- * first, then the indices of the fins. */
+/* Lists of triangles in the index buffer of a mesh, in the order of the buffer. */
+enum fish_triangles {
+    FISH_BODY, /* Body and eyes. */
+    FISH_FINS, /* Fins. For specimens, each triangle is listed for each side. */
+    /* Body, eyes and fins of a fish that is only some tens of pixels long: about half of the
+     * vertices. Only fish_mesh_fill_tank() writes these lists. */
+    FISH_SMALL_BODY,
+    FISH_SMALL_FINS,
+    FISH_TRIANGLES_COUNT,
+};
+
+/* Mesh of one level of detail of a fish. */
 struct fish_mesh {
     GLuint vertex_array, vertex_buffer, index_buffer;
-    GLsizei body_index_count, fin_index_count;
+    GLsizei index_counts[FISH_TRIANGLES_COUNT];
     /* Length, in body lengths, of the largest coordinate that the packed vertices can store. The
      * shaders read this value as the uniform `reach`. */
     float reach;
@@ -40,7 +50,7 @@ struct fish_mesh {
  * after each fish_mesh_fill(). */
 struct fish_mesh_memory {
     uint8_t vertices[MESH_VERTEX_MAX * FISH_VERTEX_SIZE_MAX];
-    uint16_t indices[MESH_INDEX_MAX];
+    uint16_t indices[2u * MESH_INDEX_MAX]; /* The lists for small fish are at most as long. */
 };
 
 /* Creates the OpenGL objects of an empty mesh. */
@@ -49,11 +59,16 @@ void fish_mesh_reserve(struct fish_mesh *mesh);
  * be called again with another mesh. */
 void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
                     const struct species_mesh *source, uint32_t key_count);
+/* As fish_mesh_fill(), for the fish of the tank. Lists each triangle of a fin only once, and also
+ * writes the lists for small fish. */
+void fish_mesh_fill_tank(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
+                         const struct species_mesh *source, uint32_t key_count);
 void fish_mesh_close(struct fish_mesh *mesh);
 
-/* Draws `instance_count` fish. Draws only the fins if `fins` is true, otherwise only the body and
- * the eyes. The caller has bound the shader program and the instance attributes. */
-void fish_mesh_draw(const struct fish_mesh *mesh, bool fins, GLsizei instance_count);
+/* Draws the triangles of one list for `instance_count` fish. The caller has bound the shader
+ * program and the instance attributes. */
+void fish_mesh_draw(const struct fish_mesh *mesh, enum fish_triangles triangles,
+                    GLsizei instance_count);
 
 /* Maximum number of texels of one pose. A texel holds four floats. */
 #define POSE_TEXELS_MAX (2u * MORPH_CURVE_MAX + 2u * ANCHOR_MAX)

@@ -112,8 +112,95 @@ static void list_shades(struct frame_shades *shades, const struct scene *scene)
     }
 }
 
+/* Margin around the water surface in pixels, for the refraction and the interpolation of texels. */
+#define PART_MARGIN_PX 6.0f
+/* Number of pixels to which the edges of the part are rounded. */
+#define PART_STEP_PX 2u
+/* Largest slope of the water surface for the refraction, as in common.glsl. */
+#define SEEN_SLOPE_MAX 0.05f
+
+/* Returns the pixel range of one axis, from `low` to `high` in clip space, within `size_px`. */
+static void find_range(uint32_t out[2], float low, float high, float shift, uint32_t size_px)
+{
+    const float size = (float)size_px;
+    const float margin = PART_MARGIN_PX + shift * size;
+    const float from = f_clamp((0.5f + 0.5f * low) * size - margin, 0.0f, size);
+    const float to = f_clamp((0.5f + 0.5f * high) * size + margin, 0.0f, size);
+    const uint32_t first = (uint32_t)from / PART_STEP_PX * PART_STEP_PX;
+    const uint32_t last = ((uint32_t)to / PART_STEP_PX + 1u) * PART_STEP_PX;
+    out[0] = first + PART_STEP_PX < size_px ? first : 0u;
+    out[1] = (last < size_px ? last : size_px) - out[0];
+}
+
+/* Finds the part of the underwater scene's picture that is visible through the water surface. */
+static void find_part(struct frame *frame, const uint32_t below_px[2])
+{
+    const struct frame_block *const block = &frame->block;
+    const float *const m = block->view_projection;
+    float low[2] = { 1.0f, 1.0f }, high[2] = { -1.0f, -1.0f };
+    for (uint32_t i = 0; i < 4; i++) {
+        const float x = i & 1u ? block->tank[0] : -block->tank[0];
+        const float z = i & 2u ? block->tank[2] : -block->tank[2];
+        const float w = m[3] * x + m[11] * z + m[15];
+        for (uint32_t axis = 0; axis < 2; axis++) {
+            const float clip = m[axis] * x + m[8 + axis] * z + m[12 + axis];
+            /* A corner behind the camera makes the part as large as the picture. */
+            low[axis] = w > NEAR_M ? f_min(low[axis], clip / w) : -1.0f;
+            high[axis] = w > NEAR_M ? f_max(high[axis], clip / w) : 1.0f;
+        }
+    }
+    uint32_t range[2][2];
+    for (uint32_t axis = 0; axis < 2; axis++) {
+        const float shift = f_abs(block->bend[axis]) + f_abs(block->bend[2 + axis]);
+        find_range(range[axis], low[axis], high[axis], shift * SEEN_SLOPE_MAX, below_px[axis]);
+    }
+    frame->part = (struct frame_part){ range[0][0], range[1][0], range[0][1], range[1][1] };
+}
+
+/* Writes the block for the render targets below the water to `below`, and adds the position of
+ * these render targets to the block for the screen. */
+static void crop(struct frame *frame, struct frame_block *below, const uint32_t size_px[2],
+                 const uint32_t below_px[2])
+{
+    const struct frame_part *const part = &frame->part;
+    const float scale[2] = { (float)below_px[0] / (float)part->width,
+                             (float)below_px[1] / (float)part->height };
+    const float first[2] = { (float)part->x / (float)part->width,
+                             (float)part->y / (float)part->height };
+    *below = frame->block;
+    for (uint32_t axis = 0; axis < 2; axis++) {
+        for (uint32_t column = 0; column < 4; column++) {
+            const float *const from = frame->block.view_projection + 4u * column;
+            below->view_projection[4u * column + axis] =
+                from[axis] * scale[axis] + from[3] * (scale[axis] - 2.0f * first[axis] - 1.0f);
+        }
+        frame->block.crop[axis] = scale[axis] / (float)size_px[axis];
+        frame->block.crop[2u + axis] = -first[axis];
+        frame->block.bend[axis] *= scale[axis];
+        frame->block.bend[2u + axis] *= scale[axis];
+    }
+}
+
+void frame_open(struct frame *frame)
+{
+    frame->buffer = gl_buffer(GL_UNIFORM_BUFFER, NULL, sizeof frame->block);
+    frame->below_buffer = gl_buffer(GL_UNIFORM_BUFFER, NULL, sizeof frame->block);
+}
+
+void frame_close(struct frame *frame)
+{
+    glDeleteBuffers(1, &frame->buffer);
+    glDeleteBuffers(1, &frame->below_buffer);
+}
+
+void frame_bind(const struct frame *frame, bool is_below)
+{
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, is_below ? frame->below_buffer : frame->buffer);
+}
+
 void frame_begin(struct frame *frame, const struct scene *scene,
-                 const struct display_transform *transform, const uint32_t size_px[2])
+                 const struct display_transform *transform, const uint32_t size_px[2],
+                 const uint32_t below_px[2])
 {
     CORE_ASSERT(scene->tank_size_m.y > 0.0f && size_px[0] > 0 && size_px[1] > 0);
     struct frame_block *const block = &frame->block;
@@ -146,7 +233,12 @@ void frame_begin(struct frame *frame, const struct scene *scene,
                     ABSORPTION_OVER_DEPTH / size.y, layers - loops * (float)ASSET_CAUSTICS_FRAMES);
     frame_block_set(block->shadow, 2.0f / (size.x * SHADOW_MARGIN), 2.0f / (size.z * SHADOW_MARGIN),
                     SHADOW_DRIFT_X, SHADOW_DRIFT_Z);
+    struct frame_block below;
+    find_part(frame, below_px);
+    crop(frame, &below, size_px, below_px);
+    glBindBuffer(GL_UNIFORM_BUFFER, frame->below_buffer);
+    gl_buffer_refill(GL_UNIFORM_BUFFER, &below, sizeof below);
     glBindBuffer(GL_UNIFORM_BUFFER, frame->buffer);
     gl_buffer_refill(GL_UNIFORM_BUFFER, block, sizeof *block);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame->buffer);
+    frame_bind(frame, false);
 }

@@ -18,8 +18,9 @@ struct frame_block {
     float shadow[4];
     float bend[4];
     float shade_map[4];
+    float crop[4];
 };
-_Static_assert(sizeof(struct frame_block) == 160, "the block has the layout of common.glsl");
+_Static_assert(sizeof(struct frame_block) == 176, "the block has the layout of common.glsl");
 
 /* Values of the camera that the C code reads. The shaders do not read these values. */
 struct frame_view {
@@ -34,15 +35,33 @@ struct frame_shades {
     uint32_t fan_count, count;         /* Number of fans, and number of all circles. */
 };
 
+/* Part of the screen with the water surface, in pixels of the complete picture of the underwater
+ * scene. The origin is at the lower left. The render targets below the water have only this part.
+ *  */
+struct frame_part {
+    uint32_t x, y, width, height;
+};
+
 struct frame {
-    GLuint buffer;
+    GLuint buffer, below_buffer;
     struct frame_block block;
+    struct frame_part part;
     struct frame_view view;
     float placed[4]; /* Matrix that rotates the picture on the screen, column-major. */
     struct frame_shades shades;
 };
 
-/* Computes the uniform block for `scene` with the display geometry `transform`, and uploads the
- * block. `size_px` is the width and the height of the render target for the screen. */
+void frame_open(struct frame *frame);
+void frame_close(struct frame *frame);
+
+/* Computes the uniform block for `scene` with the display geometry `transform`, uploads the block,
+ * and binds the block for the screen. `size_px` is the width and the height of the render target
+ * for the screen. `below_px` is the width and the height of the complete picture of the underwater
+ * scene, of which only frame->part is drawn. */
 void frame_begin(struct frame *frame, const struct scene *scene,
-                 const struct display_transform *transform, const uint32_t size_px[2]);
+                 const struct display_transform *transform, const uint32_t size_px[2],
+                 const uint32_t below_px[2]);
+
+/* Binds the uniform block for the render targets below the water if `is_below` is true, otherwise
+ * the block for the screen. */
+void frame_bind(const struct frame *frame, bool is_below);

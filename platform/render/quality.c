@@ -19,25 +19,26 @@ struct machine {
      * resolution. */
     float mirror_scale;
     uint32_t samples;
-    float lod_near_px; /* Minimum fish length in pixels from which the near mesh is used. In a
+    float lod_near_px;  /* Minimum fish length in pixels from which the near mesh is used. In a
                           shorter fish, the triangles of the near mesh would cover only a few pixels
                           each. */
+    float lod_small_px; /* Fish length in pixels below which the mesh for small fish is used. */
 };
 
 #define SCALE_MIN 0.4f
 
 /* Limits for rendering on a CPU. Two CPU cores of a single-board computer draw 1280x720 scene
  * pixels in 20 ms. */
-static const struct machine cpu = { true, 1280.0f * 720.0f, 0.6f, 0.5f, 1, 130.0f };
+static const struct machine cpu = { true, 1280.0f * 720.0f, 0.6f, 0.5f, 1, 130.0f, 50.0f };
 /* Limits for the GPU of a single-board computer, which shares its memory with the CPU. On a V3D
  * GPU, writing and resolving 4 samples of a full screen takes most of the memory bandwidth of a
  * frame. Instead of multisampling, the shaders blend the outlines, as they do on a CPU. */
-static const struct machine board = { false, 1600.0f * 900.0f, 0.6f, 0.4f, 1, 120.0f };
+static const struct machine board = { false, 1600.0f * 900.0f, 0.6f, 0.4f, 1, 120.0f, 50.0f };
 /* Raspberry Pi 4: as `board`, with at most 1280x720 pixels above the water too. */
-static const struct machine pi4 = { false, 1280.0f * 720.0f, 0.6f, 0.4f, 1, 120.0f };
+static const struct machine pi4 = { false, 1280.0f * 720.0f, 0.6f, 0.4f, 1, 120.0f, 50.0f };
 /* Raspberry Pi 5, whose GPU is four times as fast. */
-static const struct machine pi5 = { false, 1920.0f * 1080.0f, 0.6f, 0.4f, 1, 120.0f };
-static const struct machine desktop = { false, 3840.0f * 2160.0f, 1.0f, 1.0f, 4, 24.0f };
+static const struct machine pi5 = { false, 1920.0f * 1080.0f, 0.6f, 0.4f, 1, 120.0f, 50.0f };
+static const struct machine desktop = { false, 3840.0f * 2160.0f, 1.0f, 1.0f, 4, 24.0f, 0.0f };
 
 /* Table of parts of the GL_RENDERER string. The first entry that occurs in the string is used. If
  * no entry occurs in the string, the hardware counts as a desktop GPU. */
@@ -65,6 +66,7 @@ struct quality quality_choose(const struct quality_request *request)
         .screen_scale = 1.0f,
         .samples = machine->samples,
         .lod_near_px = machine->lod_near_px,
+        .lod_small_px = machine->lod_small_px,
     };
     if (machine == &pi4) {
         quality.screen_scale = quality.scene_scale;
@@ -118,6 +120,7 @@ struct quality quality_lower(const struct quality *best, uint32_t step)
                                 multisampling costs the most time and its absence is the least
                                 visible. */
         quality.lod_near_px = best->lod_near_px / share->lod;
+        quality.lod_small_px = best->lod_small_px / share->lod;
         quality.floor_scale = f_max(share->floor * best->floor_scale, 0.2f);
         quality.mirror_scale = f_max(share->mirror * best->mirror_scale, 0.15f);
         quality.screen_scale = f_max(share->screen * best->screen_scale, SCALE_MIN);

@@ -35,6 +35,9 @@ struct quality {
     /* Fish length from which the near mesh is drawn, in pixels of the render target. Shorter fish
      * are drawn with the far mesh. */
     float lod_near_px;
+    /* Fish length below which the mesh for small fish is drawn, in pixels of the render target, at
+     * most lod_near_px. */
+    float lod_small_px;
 };
 
 struct quality_request {

@@ -20,7 +20,7 @@ static void draw_life(const struct renderer *renderer, const struct scene *scene
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
-    for (enum fish_group group = FISH_FAR; group <= FISH_ON_POI; group++) {
+    for (enum fish_group group = FISH_SMALL; group <= FISH_ON_POI; group++) {
         fish_pass_bodies(&renderer->fish, group, false, &renderer->textures, caustics);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -32,12 +32,12 @@ static void draw_life(const struct renderer *renderer, const struct scene *scene
         }
     }
     quad_pass_air(&renderer->quad, scene);
-    for (enum fish_group group = FISH_FAR; group <= FISH_GULPING; group++) {
+    for (enum fish_group group = FISH_SMALL; group <= FISH_GULPING; group++) {
         fish_pass_fins(&renderer->fish, group, caustics);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_below(&scene->poi[i])) {
-            poi_pass_paper(&renderer->poi, scene, i, &renderer->textures);
+            poi_pass_paper(&renderer->poi, scene, i, &renderer->textures, true);
         }
     }
     fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
@@ -98,7 +98,7 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
     fish_pass_bodies(&renderer->fish, FISH_ON_POI, false, &renderer->textures, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_above(&scene->poi[i])) {
-            poi_pass_paper(&renderer->poi, scene, i, &renderer->textures);
+            poi_pass_paper(&renderer->poi, scene, i, &renderer->textures, false);
             /* The ring and the handle are drawn after the paper because the smoothed outline of the
              * ring is blended with the paper. */
             poi_pass_frame(&renderer->poi, &scene->poi[i]);
@@ -121,20 +121,21 @@ static void finish_screen(const struct renderer *renderer)
                                                                next, needs no depth. */
         return;
     }
-    const GLint width = (GLint)renderer->config.width;
-    const GLint height = (GLint)renderer->config.height;
+    /* A draw call copies the picture, because a driver for a tiled GPU can draw the words in the
+     * same job. It begins a job of its own for glBlitFramebuffer(), which loads and stores every
+     * pixel of the screen once more. The clear avoids a load of the old picture. */
     gl_target_resolve(screen);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, screen->resolve ? screen->resolve : screen->framebuffer);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, (GLint)screen->width, (GLint)screen->height, 0, 0, width, height,
-                      GL_COLOR_BUFFER_BIT, GL_LINEAR);
     bind_default(renderer);
+    glClear(GL_COLOR_BUFFER_BIT);
+    quad_pass_copy(&renderer->quad, screen->texture);
 }
 
 static void draw_tank(struct renderer *renderer, const struct scene *scene)
 {
     frame_begin(&renderer->frame, scene, &renderer->transform,
-                (const uint32_t[2]){ renderer->deck.width, renderer->deck.height });
+                (const uint32_t[2]){ renderer->deck.width, renderer->deck.height },
+                renderer->below_px);
+    renderer_fit_below(renderer);
     fish_pass_prepare(&renderer->fish, scene, &renderer->frame.view, &renderer->quality);
     basin_pass_prepare(&renderer->basin, scene);
     poi_pass_prepare(&renderer->poi, scene);
@@ -145,6 +146,7 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     light_pass_caustics(&renderer->light, &renderer->textures);
     light_pass_shadows(&renderer->light, scene, &renderer->fish, &renderer->poi);
     step_done(renderer, STEP_LIGHT);
+    frame_bind(&renderer->frame, true);
     gl_target_bind(&renderer->ground);
     /* This clear colour is visible where the shader of the water surface reads the refracted
      * picture outside the walls. */
@@ -161,6 +163,7 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     /* The water surface writes depth, so that objects drawn later are visible only above the
      * surface. Inside the mouth of each bowl, the depth of the tank's water surface is then
      * removed. */
+    frame_bind(&renderer->frame, false);
     bind_screen(renderer);
     glClearColor(0.02f, 0.015f, 0.02f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

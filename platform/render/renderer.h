@@ -73,6 +73,10 @@ struct renderer {
     struct quad_pass quad;
     struct specimen_pass specimens;
     struct ui ui;
+    /* Width and height in pixels of the complete picture of the underwater scene. The targets
+     * `ground`, `life` and `mirror` have only the part `part` of the picture. */
+    uint32_t below_px[2];
+    struct frame_part part;
     struct gl_target ground, life, mirror, deck;
     /* Render target for the screen, if the picture is multisampled or smaller than the screen.
      * Otherwise its framebuffer is 0, the default framebuffer. */
@@ -102,6 +106,11 @@ void renderer_place(struct renderer *renderer, const struct display_settings *di
  * Does nothing if the step did not change. Returns HAL_ERR_GONE if the new targets cannot be
  * created. */
 int renderer_lower(struct renderer *renderer, uint32_t step);
+
+/* Creates the render targets for the objects below the water again if the visible part of the water
+ * (renderer->frame.part) has changed. Must be called after frame_begin(). After a failure, `status`
+ * contains the reason. */
+void renderer_fit_below(struct renderer *renderer);
 
 /* Draws the scene into the default framebuffer. The caller swaps the buffers. */
 void renderer_draw(struct renderer *renderer, const struct scene *scene);

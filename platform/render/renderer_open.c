@@ -40,20 +40,8 @@ static void open_targets(struct renderer *renderer)
     });
     renderer->quality = quality_lower(&best, renderer->step);
     const struct quality *const quality = &renderer->quality;
-    gl_target_open(&renderer->status, "ground", &renderer->ground,
-                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
-                                             .width = scaled(width, quality->floor_scale),
-                                             .height = scaled(height, quality->floor_scale) });
-    gl_target_open(&renderer->status, "life", &renderer->life,
-                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
-                                             .width = scaled(width, quality->scene_scale),
-                                             .height = scaled(height, quality->scene_scale),
-                                             .samples = quality->samples,
-                                             .depth = true });
-    gl_target_open(&renderer->status, "mirror", &renderer->mirror,
-                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
-                                             .width = scaled(width, quality->mirror_scale),
-                                             .height = scaled(height, quality->mirror_scale) });
+    renderer->below_px[0] = scaled(width, quality->scene_scale);
+    renderer->below_px[1] = scaled(height, quality->scene_scale);
     basin_pass_forget(&renderer->basin);
     gl_target_open(&renderer->status, "deck", &renderer->deck,
                    &(struct gl_target_desc){ .internal_format = GL_RGBA8,
@@ -70,11 +58,45 @@ static void open_targets(struct renderer *renderer)
     }
 }
 
-static void close_targets(struct renderer *renderer)
+static void close_below(struct renderer *renderer)
 {
     gl_target_close(&renderer->ground);
     gl_target_close(&renderer->life);
     gl_target_close(&renderer->mirror);
+    renderer->part = (struct frame_part){ 0 };
+}
+
+void renderer_fit_below(struct renderer *renderer)
+{
+    const struct frame_part *const part = &renderer->frame.part;
+    const struct quality *const quality = &renderer->quality;
+    CORE_ASSERT(part->width > 0 && part->height > 0);
+    if (memcmp(part, &renderer->part, sizeof *part) == 0) {
+        return;
+    }
+    const float floor_scale = quality->floor_scale / quality->scene_scale;
+    const float mirror_scale = quality->mirror_scale / quality->scene_scale;
+    close_below(renderer);
+    renderer->part = *part;
+    gl_target_open(&renderer->status, "ground", &renderer->ground,
+                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                             .width = scaled(part->width, floor_scale),
+                                             .height = scaled(part->height, floor_scale) });
+    gl_target_open(&renderer->status, "life", &renderer->life,
+                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                             .width = part->width,
+                                             .height = part->height,
+                                             .samples = quality->samples,
+                                             .depth = true });
+    gl_target_open(&renderer->status, "mirror", &renderer->mirror,
+                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                             .width = scaled(part->width, mirror_scale),
+                                             .height = scaled(part->height, mirror_scale) });
+}
+
+static void close_targets(struct renderer *renderer)
+{
+    close_below(renderer);
     gl_target_close(&renderer->deck);
     gl_target_close(&renderer->screen);
 }
@@ -104,8 +126,8 @@ int renderer_open(struct renderer *renderer, const struct renderer_config *confi
         renderer->gl_name[length - 1] = '\0';
     }
     struct gl_status *const status = &renderer->status;
-    renderer->frame.buffer = gl_buffer(GL_UNIFORM_BUFFER, NULL, sizeof renderer->frame.block);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, renderer->frame.buffer);
+    frame_open(&renderer->frame);
+    frame_bind(&renderer->frame, false);
     textures_open(status, &renderer->textures);
     light_pass_open(status, &renderer->light);
     basin_pass_open(status, &renderer->basin);
@@ -135,7 +157,7 @@ void renderer_close(struct renderer *renderer)
     basin_pass_close(&renderer->basin);
     light_pass_close(&renderer->light);
     textures_close(&renderer->textures);
-    glDeleteBuffers(1, &renderer->frame.buffer);
+    frame_close(&renderer->frame);
 }
 
 void renderer_place(struct renderer *renderer, const struct display_settings *display_settings)

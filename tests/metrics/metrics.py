@@ -72,6 +72,7 @@ FEATURE_LINES = {
     'a bound for the rewritten part of the write-ahead log': 24,
     'pictures that are drawn once, or at low resolution (shades, reflections, counter, fan)': 156,
     'shapes of fish that are blended once and kept in a texture, and the strips at the edge of the water': 35,
+    'light for each vertex of poi and bowl, colours for each fish, a mesh for small fish, cropped pictures': 420,
     'quality steps in the order in which a viewer notices them, the screen scale, and half the frame rate': 68,
     'a Latin typeface of the readable text, a curtain that cuts no letter, and a pointer without paper': 34,
     'a backup of a database that was deleted while it was open, and the links and FIFOs that doctor names': 54,

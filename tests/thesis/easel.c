@@ -176,6 +176,7 @@ static void draw_side(struct renderer *renderer)
     const struct display_transform transform = display_transform_of(
         &(struct display_settings){ .light = 1.0f }, (float)fine_width, (float)fine_height);
     frame_begin(&renderer->frame, &scene, &transform,
+                (const uint32_t[2]){ fine_width, fine_height },
                 (const uint32_t[2]){ fine_width, fine_height });
     fish_pass_prepare(&renderer->fish, &scene, &renderer->frame.view, &renderer->quality);
     light_pass_shades(&renderer->light, &renderer->frame.shades);
@@ -185,10 +186,10 @@ static void draw_side(struct renderer *renderer)
     fill_water();
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
-    for (enum fish_group group = FISH_FAR; group <= FISH_NEAR; group++) {
+    for (enum fish_group group = FISH_SMALL; group <= FISH_NEAR; group++) {
         fish_pass_bodies(&renderer->fish, group, false, &renderer->textures, caustics);
     }
-    for (enum fish_group group = FISH_FAR; group <= FISH_NEAR; group++) {
+    for (enum fish_group group = FISH_SMALL; group <= FISH_NEAR; group++) {
         fish_pass_fins(&renderer->fish, group, caustics);
     }
     glDisable(GL_DEPTH_TEST);

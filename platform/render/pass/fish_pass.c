@@ -29,7 +29,7 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
     morph_rig_init(&pass->rig, &species->card, TEMPLATE_OWN);
     for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
         fish_mesh_reserve(&pass->mesh[i]);
-        fish_mesh_fill(&pass->mesh[i], memory, &species->lod[i], species->card.key_count);
+        fish_mesh_fill_tank(&pass->mesh[i], memory, &species->lod[i], species->card.key_count);
         fish_shapes_open(status, &pass->shapes[i], &species->lod[i]);
     }
     pass->instance_buffer = gl_buffer(GL_ARRAY_BUFFER, NULL, sizeof pass->instances);
@@ -72,28 +72,31 @@ static void sort_by_height(struct fish_pass *pass, const struct scene *scene)
     }
 }
 
-static bool is_near(const struct scene_fish *fish, const struct frame_view *view, float near_px)
+/* Returns true if the fish is at least `length_px` pixels long, as seen from the side. */
+static bool is_longer(const struct scene_fish *fish, const struct frame_view *view, float length_px)
 {
     const float distance = v3_length(v3_sub(fish->position_m, view->eye_m));
-    return fish->length_m * view->focal_px >= near_px * distance;
+    return fish->length_m * view->focal_px >= length_px * distance;
 }
 
 static enum fish_group group_of(const struct scene_fish *fish, const struct frame_view *view,
-                                float near_px)
+                                float near_px, float small_px)
 {
-    CORE_ASSERT(near_px >= 0.0f);
+    CORE_ASSERT(near_px >= small_px && small_px >= 0.0f);
     if (fish->place == SCENE_ON_POI) {
         return FISH_ON_POI;
     }
     if (fish->place == SCENE_IN_BOWL) {
         return FISH_IN_BOWL;
     }
-    const bool near = is_near(fish, view, near_px);
+    const bool near = is_longer(fish, view, near_px);
     /* The fish counts as gulping if its snout or its back is above the water surface. */
     const float nose_m = 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);
     return (fish->position_m.y + f_max(nose_m, 0.15f * fish->length_m) > 0.0f)
                ? (near ? FISH_GULPING : FISH_GULPING_FAR)
-               : (near ? FISH_NEAR : FISH_FAR);
+           : near                            ? FISH_NEAR
+           : is_longer(fish, view, small_px) ? FISH_FAR
+                                             : FISH_SMALL;
 }
 
 /* Chooses the mesh of each group. The fish in bowls get the near mesh if at least one of these fish
@@ -102,9 +105,10 @@ static void choose_meshes(struct fish_pass *pass, const struct scene *scene,
                           const struct frame_view *view, float near_px)
 {
     memset(pass->lod, 0, sizeof pass->lod);
-    pass->lod[FISH_FAR] = pass->lod[FISH_GULPING_FAR] = pass->lod[FISH_IN_BOWL] = 1;
+    pass->lod[FISH_SMALL] = pass->lod[FISH_FAR] = pass->lod[FISH_GULPING_FAR] =
+        pass->lod[FISH_IN_BOWL] = 1;
     for (uint32_t i = 0; i < scene->fish_count; i++) {
-        if (pass->group[i] == FISH_IN_BOWL && is_near(&scene->fish[i], view, near_px)) {
+        if (pass->group[i] == FISH_IN_BOWL && is_longer(&scene->fish[i], view, near_px)) {
             pass->lod[FISH_IN_BOWL] = 0;
         }
     }
@@ -115,10 +119,11 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
 {
     CORE_ASSERT(scene->fish_count <= SCENE_FISH_MAX);
     const float near_px = quality->lod_near_px / quality->scene_scale;
+    const float small_px = quality->lod_small_px / quality->scene_scale;
     uint32_t next[FISH_GROUP_COUNT];
     memset(pass->count, 0, sizeof pass->count);
     for (uint32_t i = 0; i < scene->fish_count; i++) {
-        pass->group[i] = (uint8_t)group_of(&scene->fish[i], view, near_px);
+        pass->group[i] = (uint8_t)group_of(&scene->fish[i], view, near_px, small_px);
         pass->count[pass->group[i]]++;
     }
     choose_meshes(pass, scene, view, near_px);
@@ -132,15 +137,18 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
         const struct scene_fish *const fish = &scene->fish[row];
         const vec3 at = fish->position_m;
         const struct basis axes = vec_basis_from_angles(fish->angles);
-        pass->instances[next[pass->group[row]]++] = (struct fish_instance){
+        struct fish_instance *const out = &pass->instances[next[pass->group[row]]++];
+        const float layer = textures_pattern(fish->look);
+        *out = (struct fish_instance){
             .place = { at.x, at.y, at.z, fish->length_m },
             .right_phase = { axes.right.x, axes.right.y, axes.right.z, fish->tail_phase_rad },
             .up_amplitude = { axes.up.x, axes.up.y, axes.up.z, fish->tail_amplitude },
-            .character = { fish->bend_rad, fish->maturity, textures_pattern(fish->look),
-                           textures_hue(fish->look) },
-            .gulp = { fish->gape, fish->gulp,
-                      pass->group[row] == FISH_IN_BOWL ? -1.0f - (float)row : (float)row },
+            .bend_rad = fish->bend_rad,
+            .layer = layer,
+            .gulp = { fish->gape, pass->group[row] == FISH_IN_BOWL ? -1.0f : fish->gulp,
+                      (float)row },
         };
+        fish_colours_compute(&out->colours, fish->maturity, textures_hue(fish->look), layer);
     }
     /* The texture row of each fish is its index in the scene. A row is written again only if
      * another fish or a fish that has grown needs the row. */
@@ -157,36 +165,47 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
     gl_buffer_refill(GL_ARRAY_BUFFER, pass->instances, scene->fish_count * sizeof *pass->instances);
 }
 
-/* Sets the pointers of the first `count` vertex attributes in the table below, so that the next
- * instanced draw call begins with the fish `first` of the instance buffer. OpenGL ES 3.0 has no
- * draw call with a base instance. `locations` has the location of each attribute in the shader. */
-static void point_instances(const struct fish_pass *pass, uint32_t first, const GLuint *locations,
-                            uint32_t count)
+/* A vertex attribute with a value for each fish, at a location of the shader. */
+struct instance_attribute {
+    GLuint location;
+    GLint count;
+    size_t offset;
+};
+
+#define INSTANCE(location, count, field) { location, count, offsetof(struct fish_instance, field) }
+
+/* Sets the pointers of `count` vertex attributes, so that the next instanced draw call begins with
+ * the fish `first` of the instance buffer. OpenGL ES 3.0 has no draw call with a base instance. */
+static void point_instances(const struct fish_pass *pass, uint32_t first,
+                            const struct instance_attribute *attributes, uint32_t count)
 {
-    static const struct {
-        GLint count;
-        size_t offset;
-    } attributes[] = {
-        { 4, offsetof(struct fish_instance, place) },
-        { 4, offsetof(struct fish_instance, right_phase) },
-        { 4, offsetof(struct fish_instance, up_amplitude) },
-        { 3, offsetof(struct fish_instance, gulp) },
-        { 4, offsetof(struct fish_instance, character) },
-    };
-    CORE_ASSERT(first <= SCENE_FISH_MAX && count <= sizeof attributes / sizeof *attributes);
+    CORE_ASSERT(first <= SCENE_FISH_MAX && count > 0);
     const size_t stride = sizeof(struct fish_instance);
     glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
     for (uint32_t i = 0; i < count; i++) {
-        gl_attribute_floats(locations[i], attributes[i].count, stride,
+        gl_attribute_floats(attributes[i].location, attributes[i].count, stride,
                             first * stride + attributes[i].offset);
-        glVertexAttribDivisor(locations[i], 1);
+        glVertexAttribDivisor(attributes[i].location, 1);
     }
 }
 
 /* Draws one group of fish with the current program of OpenGL. */
 static void draw_group(const struct fish_pass *pass, enum fish_group group, bool fins)
 {
-    static const GLuint locations[] = { 9, 10, 11, 15, 14 };
+    static const struct instance_attribute common[] = {
+        INSTANCE(9, 4, place),     INSTANCE(10, 4, right_phase), INSTANCE(11, 4, up_amplitude),
+        INSTANCE(14, 4, bend_rad), INSTANCE(15, 3, gulp),
+    };
+    static const struct instance_attribute body[] = {
+        INSTANCE(0, 3, colours.pale_back),
+        INSTANCE(1, 3, colours.stain_back),
+        INSTANCE(2, 3, colours.pale_belly),
+        INSTANCE(3, 3, colours.stain_belly),
+    };
+    static const struct instance_attribute fin[] = {
+        INSTANCE(0, 4, colours.pale_fin),
+        INSTANCE(1, 3, colours.stain_fin),
+    };
     CORE_ASSERT(group < FISH_GROUP_COUNT);
     CORE_ASSERT(pass->first[group] + pass->count[group] <= SCENE_FISH_MAX);
     const uint32_t lod = pass->lod[group];
@@ -196,8 +215,12 @@ static void draw_group(const struct fish_pass *pass, enum fish_group group, bool
     }
     gl_bind_texture(2, GL_TEXTURE_2D, pass->shapes[lod].texture);
     glBindVertexArray(mesh->vertex_array);
-    point_instances(pass, pass->first[group], locations, 5);
-    fish_mesh_draw(mesh, fins, (GLsizei)pass->count[group]);
+    point_instances(pass, pass->first[group], common, sizeof common / sizeof *common);
+    point_instances(pass, pass->first[group], fins ? fin : body, fins ? 2u : 4u);
+    const enum fish_triangles triangles = group == FISH_SMALL
+                                              ? (fins ? FISH_SMALL_FINS : FISH_SMALL_BODY)
+                                              : (fins ? FISH_FINS : FISH_BODY);
+    fish_mesh_draw(mesh, triangles, (GLsizei)pass->count[group]);
 }
 
 void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group, bool snouts,
@@ -228,14 +251,19 @@ void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint 
 
 void fish_pass_rings(const struct fish_pass *pass)
 {
-    static const GLuint locations[] = { 0, 1, 2, 3 };
+    static const struct instance_attribute attributes[] = {
+        INSTANCE(0, 4, place),
+        INSTANCE(1, 4, right_phase),
+        INSTANCE(2, 4, up_amplitude),
+        INSTANCE(3, 3, gulp),
+    };
     const uint32_t count = pass->count[FISH_GULPING_FAR] + pass->count[FISH_GULPING];
     if (count == 0) {
         return;
     }
     glUseProgram(pass->ring_program);
     glBindVertexArray(pass->rings);
-    point_instances(pass, pass->first[FISH_GULPING_FAR], locations, 4);
+    point_instances(pass, pass->first[FISH_GULPING_FAR], attributes, 4);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)count);
@@ -245,7 +273,11 @@ void fish_pass_rings(const struct fish_pass *pass)
 
 GLsizei fish_pass_shadow_casters(const struct fish_pass *pass)
 {
-    static const GLuint locations[] = { 0, 1, 2 };
-    point_instances(pass, 0, locations, 3);
+    static const struct instance_attribute attributes[] = {
+        INSTANCE(0, 4, place),
+        INSTANCE(1, 4, right_phase),
+        INSTANCE(2, 4, up_amplitude),
+    };
+    point_instances(pass, 0, attributes, 3);
     return (GLsizei)(pass->first[FISH_ON_POI] + pass->count[FISH_ON_POI]);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/scene.h"
+#include "platform/render/fish_colours.h"
 #include "platform/render/fish_mesh.h"
 #include "platform/render/fish_shapes.h"
 #include "platform/render/frame_block.h"
@@ -12,8 +13,11 @@
 /* Group of a fish, by its place and by its size on the screen. The instance buffer contains the
  * groups in this order. */
 enum fish_group {
+    /* The fish is in the tank and only some tens of pixels long. Its mesh has half of the vertices
+     * of the far mesh. */
+    FISH_SMALL = 0,
     /* The fish is in the tank and small on the screen. Its mesh is the far mesh (few vertices). */
-    FISH_FAR = 0,
+    FISH_FAR,
     FISH_NEAR,
     /* The fish is in the tank, small on the screen, and partly above the water surface. Its mesh is
      * the far mesh. */
@@ -26,10 +30,13 @@ enum fish_group {
 
 struct fish_instance {
     float place[4], right_phase[4], up_amplitude[4];
-    float character[4];
+    /* Bend of the spine, and layer of the texture of patterns. The shader reads these two values
+     * and the first two of `colours` as one attribute. */
+    float bend_rad, layer;
+    struct fish_colours colours;
     /* Opening of the mouth, phase of the gulp (a gasp for air), and row of the fish in the texture
-     * of struct fish_shapes. The row of a fish in a bowl is stored as -1 - row, because the clear
-     * water of a bowl does not tint the fish. */
+     * of struct fish_shapes. The phase of a fish in a bowl is -1, because the clear water of a bowl
+     * does not tint the fish. */
     float gulp[3];
 };
 

@@ -77,13 +77,19 @@ struct poi_pool poi_pool_of(const struct scene_poi *poi)
 #define HANDLE_LENGTH 2.55f
 #define HANDLE_ROWS 22u
 #define HANDLE_COLUMNS 13u
+/* Thickness in metres from which the water film on the paper shines fully. */
+#define FILM_SHINES_M 0.0004f
 #define PAPER_COLUMNS 49u
 #define PAPER_ROWS 11u
 /* Maximum number of fish on the paper that darken the paper. Must equal the array size of `rests`
- * in poi_paper.frag.glsl. More fish would add no visible shade. */
+ * in poi_paper.vert.glsl. More fish would add no visible shade. */
 #define RESTS_MAX 2
-/* Distance from the ring's centre to the handle's end, in inner radii of the ring. */
-#define REACH 3.8f
+/* Distances from the ring's centre to the outer edge of the ring, and to the handle's end, in inner
+ * radii of the ring. */
+#define RING_REACH (RING_MIDDLE + RING_HALF_WIDTH)
+#define HANDLE_REACH (HANDLE_START + HANDLE_LENGTH)
+/* Largest half height and half width of the ring and the handle, in inner radii of the ring. */
+#define THICKNESS 0.14f
 
 const float *poi_paint(uint8_t owner)
 {
@@ -130,10 +136,28 @@ static struct shape_vertex paper_point(float u, float v, const void *context)
 {
     (void)context;
     const float around = -u * F_TAU;
-    const float r = f_sqrt(v) * 1.01f; /* The square root gives equal areas between consecutive
-                                          circles of vertices. The factor 1.01 places the outermost
-                                          vertices inside the plastic of the poi's ring. */
+    const float r =
+        v * 1.01f; /* The factor 1.01 places the outermost vertices inside the plastic of
+                                  the poi's ring. */
     return (struct shape_vertex){ .position = v3(r * f_cos(around), r * f_sin(around), 0.0f) };
+}
+
+static struct paper_program link_paper(struct gl_status *status, uint32_t variant)
+{
+    static const char *const names[PAPER_VARIANTS] = { "poi paper", "poi paper and pool",
+                                                       "practice paper",
+                                                       "practice paper and pool" };
+    static const char *const defines[PAPER_VARIANTS] = { "", "#define POOL\n", "#define PRACTICE\n",
+                                                         "#define POOL\n#define PRACTICE\n" };
+    CORE_ASSERT(variant < PAPER_VARIANTS);
+    const GLuint name = gl_program(status, names[variant], defines[variant], shader_poi_paper_vert,
+                                   shader_poi_paper_frag, "sheet fibres");
+    return (struct paper_program){ .name = name,
+                                   .pose = glGetUniformLocation(name, "pose"),
+                                   .paper = glGetUniformLocation(name, "paper"),
+                                   .rests = glGetUniformLocation(name, "rests"),
+                                   .spines = glGetUniformLocation(name, "spines"),
+                                   .pool = glGetUniformLocation(name, "pool") };
 }
 
 void poi_pass_open(struct gl_status *status, struct poi_pass *pass)
@@ -142,13 +166,9 @@ void poi_pass_open(struct gl_status *status, struct poi_pass *pass)
         gl_program(status, "poi frame", "", shader_poi_frame_vert, shader_poi_frame_frag, "");
     pass->frame_pose = glGetUniformLocation(pass->frame_program, "pose");
     pass->frame_paint = glGetUniformLocation(pass->frame_program, "paint");
-    pass->paper_program = gl_program(status, "poi paper", "", shader_poi_paper_vert,
-                                     shader_poi_paper_frag, "sheet fibres");
-    pass->paper_pose = glGetUniformLocation(pass->paper_program, "pose");
-    pass->paper_paper = glGetUniformLocation(pass->paper_program, "paper");
-    pass->paper_rests = glGetUniformLocation(pass->paper_program, "rests");
-    pass->paper_spines = glGetUniformLocation(pass->paper_program, "spines");
-    pass->paper_pool = glGetUniformLocation(pass->paper_program, "pool");
+    for (uint32_t i = 0; i < PAPER_VARIANTS; i++) {
+        pass->papers[i] = link_paper(status, i);
+    }
     gl_ring_open(status, "sheets", &pass->sheet_ring,
                  &(struct gl_texture_desc){ .internal_format = GL_RGBA8,
                                             .width = SHEET_SIDE,
@@ -166,7 +186,9 @@ void poi_pass_open(struct gl_status *status, struct poi_pass *pass)
 void poi_pass_close(struct poi_pass *pass)
 {
     glDeleteProgram(pass->frame_program);
-    glDeleteProgram(pass->paper_program);
+    for (uint32_t i = 0; i < PAPER_VARIANTS; i++) {
+        glDeleteProgram(pass->papers[i].name);
+    }
     gl_ring_close(&pass->sheet_ring);
     shape_close(&pass->solid);
     shape_close(&pass->disc);
@@ -192,14 +214,24 @@ void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene)
     }
 }
 
+/* Returns the height in metres of the highest point of the poi if `sign` is 1. Returns the height
+ * of the lowest point, times -1, if `sign` is -1. */
+static float extent(const struct scene_poi *poi, float sign)
+{
+    const struct basis axes = vec_basis_from_angles(poi->angles);
+    const float steep = f_sqrt(f_max(1.0f - axes.up.y * axes.up.y, 0.0f));
+    const float reach = f_max(RING_REACH * steep, HANDLE_REACH * sign * axes.back.y);
+    return sign * poi->position_m.y + poi->ring_radius_m * (reach + THICKNESS) + poi->sag_m;
+}
+
 bool poi_is_below(const struct scene_poi *poi)
 {
-    return poi->present && poi->position_m.y < poi->ring_radius_m * REACH * 0.7f;
+    return poi->present && extent(poi, -1.0f) > 0.0f;
 }
 
 bool poi_is_above(const struct scene_poi *poi)
 {
-    return poi->present && poi->position_m.y > -poi->ring_radius_m * REACH;
+    return poi->present && extent(poi, 1.0f) > 0.0f;
 }
 
 void poi_pose(float out[16], vec3 position_m, struct angles angles, float scale)
@@ -229,7 +261,7 @@ void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi)
 }
 
 void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint32_t index,
-                    const struct textures *textures)
+                    const struct textures *textures, bool is_below)
 {
     CORE_ASSERT(index < POI_MAX && scene->fish_count <= SCENE_FISH_MAX);
     const struct scene_poi *const poi = &scene->poi[index];
@@ -250,15 +282,18 @@ void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint
         }
     }
     const struct poi_pool pool = poi_pool_of(poi);
-    glUseProgram(pass->paper_program);
+    const uint32_t variant = (pool.level_m > POI_NO_POOL_M ? PAPER_POOL : 0u) |
+                             (poi->shows_stress ? PAPER_PRACTICE : 0u);
+    const struct paper_program *const program = &pass->papers[variant];
+    glUseProgram(program->name);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, gl_ring_texture(&pass->sheet_ring));
     gl_bind_texture(1, GL_TEXTURE_2D, textures->paper);
-    glUniformMatrix4fv(pass->paper_pose, 1, GL_FALSE, pose);
-    glUniform4fv(pass->paper_rests, RESTS_MAX, rests[0]);
-    glUniform3fv(pass->paper_spines, RESTS_MAX, spines[0]);
-    glUniform4f(pass->paper_paper, poi->sag_m / poi->ring_radius_m, (float)index,
-                poi->shows_stress ? 1.0f : 0.0f, poi->warning);
-    glUniform2f(pass->paper_pool, pool.level_m, pool.film_m);
+    glUniformMatrix4fv(program->pose, 1, GL_FALSE, pose);
+    glUniform4fv(program->rests, RESTS_MAX, rests[0]);
+    glUniform3fv(program->spines, RESTS_MAX, spines[0]);
+    glUniform4f(program->paper, poi->sag_m / poi->ring_radius_m, (float)index,
+                is_below ? 1.0f : 0.0f, poi->warning);
+    glUniform2f(program->pool, pool.level_m, f_smoothstep(0.0f, FILM_SHINES_M, pool.film_m));
     glEnable(GL_BLEND);
     shape_draw(&pass->disc, 0);
     glDisable(GL_BLEND);

@@ -25,9 +25,22 @@ struct poi_pool {
  * the water of poi->water_m, a mean depth over the paper. */
 struct poi_pool poi_pool_of(const struct scene_poi *poi);
 
+/* Variants of the program for the paper, whose names are combined with the operator |. */
+enum paper_variant {
+    PAPER_POOL = 1,     /* The poi carries a pool of water. */
+    PAPER_PRACTICE = 2, /* The colour of the paper shows its stress. */
+    PAPER_VARIANTS = 4,
+};
+
+struct paper_program {
+    GLuint name;
+    GLint pose, paper, rests, spines, pool;
+};
+
 struct poi_pass {
-    GLuint frame_program, paper_program;
-    GLint frame_pose, frame_paint, paper_pose, paper_paper, paper_rests, paper_spines, paper_pool;
+    GLuint frame_program;
+    GLint frame_pose, frame_paint;
+    struct paper_program papers[PAPER_VARIANTS]; /* Indexed by enum paper_variant. */
     struct shape_buffers solid, disc;
     /* Ring buffer of array textures of the paper sheets, with one layer for each player. */
     struct gl_ring sheet_ring;
@@ -50,14 +63,15 @@ void poi_pass_close(struct poi_pass *pass);
  * the textures. */
 void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene);
 
-/* Returns true if any part of the poi may be below the water surface. */
+/* Returns true if any part of the poi is below the water surface. */
 bool poi_is_below(const struct scene_poi *poi);
-/* Returns true if any part of the poi may be above the water surface. */
+/* Returns true if any part of the poi is above the water surface. */
 bool poi_is_above(const struct scene_poi *poi);
 
 /* Draws the ring and the handle of one poi into a render target with a depth buffer. */
 void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi);
 /* Draws the paper of poi number `index` of the scene with blending, into a render target with a
- * depth buffer. The paper is darker where fish lie on it. */
+ * depth buffer. The paper is darker where fish lie on it. If `is_below` is true, draws only the
+ * part below the water surface. */
 void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint32_t index,
-                    const struct textures *textures);
+                    const struct textures *textures, bool is_below);

@@ -93,6 +93,8 @@ void quad_pass_open(struct gl_status *status, struct quad_pass *pass,
     pass->fan_trim = glGetUniformLocation(pass->fan_program, "trim");
     pass->dark_program = gl_program(status, "dark", "", shader_fill_vert, shader_dark_frag, "");
     pass->dark = glGetUniformLocation(pass->dark_program, "dark");
+    pass->copy_program =
+        gl_program(status, "copy", "", shader_fill_vert, shader_copy_frag, "picture");
     glGenVertexArrays(1, &pass->no_attributes);
     draw_fan_faces(status, pass, textures);
 }
@@ -103,6 +105,7 @@ void quad_pass_close(struct quad_pass *pass)
     glDeleteProgram(pass->drip_program);
     glDeleteProgram(pass->fan_program);
     glDeleteProgram(pass->dark_program);
+    glDeleteProgram(pass->copy_program);
     gl_target_close(&pass->fan_faces);
     glDeleteVertexArrays(1, &pass->no_attributes);
 }
@@ -189,6 +192,17 @@ void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene)
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }
     glDisable(GL_BLEND);
+}
+
+void quad_pass_copy(const struct quad_pass *pass, GLuint picture)
+{
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(pass->copy_program);
+    gl_bind_texture(0, GL_TEXTURE_2D, picture);
+    glBindVertexArray(pass->no_attributes);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
 }
 
 void quad_pass_edge(const struct quad_pass *pass, const struct display_transform *transform)

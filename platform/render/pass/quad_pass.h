@@ -8,7 +8,7 @@
 
 struct quad_pass {
     GLuint no_attributes; /* Vertex array without attributes. */
-    GLuint bubble_program, drip_program, fan_program, dark_program;
+    GLuint bubble_program, drip_program, fan_program, dark_program, copy_program;
     struct gl_target fan_faces; /* Pictures of fan_face.frag.glsl. */
     /* Locations of the shader uniforms. fan_pose and fan_trim belong to the uniforms `pose` and
      * `trim` of the program for fans. */
@@ -33,6 +33,9 @@ void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene);
 /* Draws the hand-held fans over all other objects of the scene, with blending. The render target
  * needs no depth buffer. The shade map (light_pass.h) contains the fans' shadows. */
 void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene);
+
+/* Fills the bound render target with the texture `picture`. */
+void quad_pass_copy(const struct quad_pass *pass, GLuint picture);
 
 /* Dims the finished picture to the configured brightness, and fills the area beside the picture
  * with black. Draws nothing if the picture fills the screen at full brightness. The size of the

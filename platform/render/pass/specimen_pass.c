@@ -234,7 +234,7 @@ static void draw_part(const struct specimen_program *program, const struct fish_
 {
     glUseProgram(program->name);
     glUniform1f(program->reach, mesh->reach);
-    fish_mesh_draw(mesh, fins, 1);
+    fish_mesh_draw(mesh, fins ? FISH_FINS : FISH_BODY, 1);
 }
 
 /* Draws the parts of the fins that are behind the body. These parts are drawn before the body, so

@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "assets.h"
+#include "core/base/fmath.h"
 #include "core/base/panic.h"
 #include "fonts.h"
 #include "platform/render/gl_util.h"
@@ -41,13 +42,56 @@ static void make_programs(struct gl_status *status, struct ui *ui)
          * failed, the name is 0, which OpenGL ignores. */
         glDeleteShader(fragment);
         if (ui->programs[i] != 0) {
-            gl_program_bind(ui->programs[i], "font paper");
+            gl_program_bind(ui->programs[i], "font paper waves");
             ui->to_clip[i] = glGetUniformLocation(ui->programs[i], "to_clip");
             ui->turn[i] = glGetUniformLocation(ui->programs[i], "turn");
             ui->move[i] = glGetUniformLocation(ui->programs[i], "move");
         }
     }
     glDeleteShader(vertex);
+}
+
+/* Number of texels for a length of one unit in the pattern of sea waves. */
+#define WAVE_UNIT 128u
+
+/* Returns the brightness of the pattern of sea waves at a point, 0 or more. Each wave consists of
+ * three arcs, and each row of waves hides a part of the row above. The pattern repeats after 2
+ * units to the right and after 1 unit downward. */
+static float wave_arcs(float x, float y)
+{
+    const float row = f_floor(y * 2.0f);
+    float result = 0.0f;
+    for (uint32_t i = 0; i < 3; i++) {
+        const float r = row + (float)i;
+        const float shifted = x + r - 2.0f * f_floor(0.5f * (x + r)) - 1.0f;
+        const float below = y - 0.5f * r - 1.0f;
+        const float distance = f_sqrt(shifted * shifted + below * below);
+        const float along = 3.0f * distance - f_floor(3.0f * distance);
+        if (distance < 1.0f) {
+            result = f_smoothstep(0.10f, 0.22f, 0.5f - f_abs(along - 0.5f));
+        }
+    }
+    return 1.0f - result;
+}
+
+/* Draws the pattern of sea waves once, because a pixel of a panel would compute it slowly. */
+static GLuint make_waves(struct gl_status *status)
+{
+    static uint8_t texels[WAVE_UNIT][2u * WAVE_UNIT];
+    for (uint32_t y = 0; y < WAVE_UNIT; y++) {
+        for (uint32_t x = 0; x < 2u * WAVE_UNIT; x++) {
+            const float unit = 1.0f / (float)WAVE_UNIT;
+            const float value = wave_arcs(((float)x + 0.5f) * unit, ((float)y + 0.5f) * unit);
+            texels[y][x] = (uint8_t)(value * 255.0f + 0.5f);
+        }
+    }
+    return gl_texture(status, "waves",
+                      &(struct gl_texture_desc){ .internal_format = GL_R8,
+                                                 .width = 2u * WAVE_UNIT,
+                                                 .height = WAVE_UNIT,
+                                                 .pixels = texels[0],
+                                                 .mipmaps = true,
+                                                 .wrap = GL_REPEAT });
 }
 
 bool ui_init(struct ui *ui, char *why, size_t why_size)
@@ -68,6 +112,7 @@ bool ui_init(struct ui *ui, char *why, size_t why_size)
                                                               .height = ASSET_PAPER_SIZE,
                                                               .pixels = asset_paper,
                                                               .wrap = GL_REPEAT });
+    ui->waves_texture = make_waves(&status);
     if (!gl_is_well(&status)) {
         snprintf(why, why_size, "%s", status.text);
         ui_close(ui);
@@ -102,6 +147,7 @@ static void set_state(const struct ui *ui, const struct display_transform *trans
     glDisable(GL_SCISSOR_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl_bind_texture(2, GL_TEXTURE_2D, ui->waves_texture);
     gl_bind_texture(1, GL_TEXTURE_2D, ui->paper_texture);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, ui->font_texture);
     glBindVertexArray(ui->vertex_array);
@@ -173,5 +219,6 @@ void ui_close(struct ui *ui)
     glDeleteBuffers(1, &ui->index_buffer);
     glDeleteTextures(1, &ui->font_texture);
     glDeleteTextures(1, &ui->paper_texture);
+    glDeleteTextures(1, &ui->waves_texture);
     *ui = (struct ui){ 0 };
 }

@@ -31,7 +31,7 @@ struct ui {
      * (`move`) of the picture. */
     int32_t turn[UI_KIND_COUNT], move[UI_KIND_COUNT];
     uint32_t vertex_array, vertex_buffer, index_buffer;
-    uint32_t font_texture, paper_texture;
+    uint32_t font_texture, paper_texture, waves_texture;
 };
 
 /* Compiles the shaders and uploads the font and the paper texture. Returns true on success. On

@@ -344,6 +344,38 @@ static void test_the_test_detects_an_anchor_error_of_a_thousandth(void **state)
     glDeleteProgram(name);
 }
 
+/* Returns the number of vertices that the triangles of two lists use. */
+static uint32_t used_vertices(uint32_t first, uint32_t count)
+{
+    static bool used[MESH_VERTEX_MAX];
+    uint32_t result = 0;
+    memset(used, 0, sizeof used);
+    for (uint32_t i = first; i < first + count; i++) {
+        result += used[memory.indices[i]] ? 0u : 1u;
+        used[memory.indices[i]] = true;
+    }
+    return result;
+}
+
+static void test_a_small_fish_has_fewer_vertices_and_each_side_of_a_fin_is_drawn_once(void **state)
+{
+    (void)state;
+    const struct species_mesh *const source = &species_wakin.lod[1];
+    fish_mesh_fill(&mesh, &memory, source, species_wakin.card.key_count);
+    const GLsizei body = mesh.index_counts[FISH_BODY], fins = mesh.index_counts[FISH_FINS];
+    assert_int_equal(body + fins, source->index_count);
+    assert_int_equal(mesh.index_counts[FISH_SMALL_BODY], 0);
+    fish_mesh_fill_tank(&mesh, &memory, source, species_wakin.card.key_count);
+    assert_int_equal(mesh.index_counts[FISH_BODY], body);
+    assert_int_equal(mesh.index_counts[FISH_FINS], fins / 2);
+    const uint32_t first = (uint32_t)(body + fins / 2);
+    const uint32_t small =
+        (uint32_t)(mesh.index_counts[FISH_SMALL_BODY] + mesh.index_counts[FISH_SMALL_FINS]);
+    assert_int_equal(used_vertices(0, first), source->vertex_count);
+    assert_in_range(used_vertices(first, small), source->vertex_count / 3u,
+                    source->vertex_count * 3u / 5u);
+}
+
 static void test_the_shape_of_a_fish_that_has_not_grown_is_not_recomputed(void **state)
 {
     (void)state;
@@ -370,6 +402,7 @@ int main(void)
         cmocka_unit_test(test_eight_keys_are_blended_each_by_its_own_weight),
         cmocka_unit_test(test_the_test_detects_weights_of_eight_bits),
         cmocka_unit_test(test_the_test_detects_an_anchor_error_of_a_thousandth),
+        cmocka_unit_test(test_a_small_fish_has_fewer_vertices_and_each_side_of_a_fin_is_drawn_once),
         cmocka_unit_test(test_the_shape_of_a_fish_that_has_not_grown_is_not_recomputed),
     };
     return cmocka_run_group_tests(tests, open_context, NULL);

@@ -143,6 +143,10 @@ static void test_each_quality_step_costs_less_than_the_previous_one(void **state
         }
         before = lower;
     }
+    const struct quality_request pi4 = request_of("V3D 4.2", 1280, 720);
+    const struct quality board = quality_choose(&pi4), first = quality_lower(&board, 1);
+    assert_true(board.lod_small_px > 0.0f && first.lod_small_px > board.lod_small_px);
+    assert_true(first.lod_small_px < board.lod_near_px);
     const struct quality past = quality_lower(&best, QUALITY_STEP_MAX + 1u);
     assert_float_equal(past.scene_scale, before.scene_scale, 0.0f);
 }

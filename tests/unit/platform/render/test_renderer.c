@@ -135,9 +135,9 @@ static float red_in_album(float age_days, float caught_days)
     scene.album.fish[0].age_days = age_days;
     scene.album.fish[0].maturity = scene_maturity(age_days);
     scene.album.fish[0].progress = life_progress(&species_wakin.card, age_days);
-    /* Removes the red seal with which the album marks the day of the catch, because only the fish
-     * may be red. */
-    scene.album.fish[0].is_caught = 0;
+    /* Removes the red seal with which the album marks the day of the catch, and the red bow of a
+     * present, because only the fish may be red. */
+    scene.album.fish[0].is_caught = scene.album.fish[0].is_present = 0;
     /* 20 frames are enough to refine the texture of the fish completely. */
     for (uint32_t i = 0; i < 20; i++) {
         picture(pixels[0]);
@@ -333,6 +333,24 @@ static void test_a_tank_can_be_drawn_without_text(void **state)
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
+static void test_the_pictures_below_the_water_have_only_the_part_with_the_water(void **state)
+{
+    (void)state;
+    picture(pixels[0]);
+    const struct renderer *const renderer = &display.renderer;
+    const struct frame_part *const part = &renderer->part;
+    assert_in_range(part->width, 1, renderer->below_px[0] - 1u);
+    assert_in_range(part->height, 1, renderer->below_px[1] - 1u);
+    assert_int_equal(renderer->life.width, part->width);
+    assert_int_equal(renderer->life.height, part->height);
+    /* A camera inside the tank sees the water surface on the whole screen. */
+    scene.view.eye_m = v3(0.0f, 0.02f, 0.05f);
+    scene.view.target_m = v3(0.0f, 0.0f, 0.0f);
+    picture(pixels[0]);
+    assert_int_equal(part->width, renderer->below_px[0]);
+    assert_int_equal(part->height, renderer->below_px[1]);
+}
+
 static void test_the_fullest_scene_draws_without_an_error(void **state)
 {
     (void)state;
@@ -366,6 +384,7 @@ int main(void)
         WITH_DISPLAY(test_a_gulp_opens_the_mouth_and_makes_a_ripple),
         WITH_DISPLAY(test_a_running_pump_shows_bubbles_and_its_stone_is_always_visible),
         WITH_DISPLAY(test_a_tank_can_be_drawn_without_text),
+        WITH_DISPLAY(test_the_pictures_below_the_water_have_only_the_part_with_the_water),
         WITH_DISPLAY(test_the_fullest_scene_draws_without_an_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
