@@ -314,6 +314,7 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
     output->tick = game->tick;
     output->round_tick = game->round_tick;
     output->phase = game->phase;
+    output->has_pump = core->world.tank.oxygen.pump;
     output->is_idle =
         game->phase == PHASE_ATTRACT && game->accounts.ledger.balance.open == PAYMENT_NONE;
     return CORE_OK;

@@ -5,6 +5,7 @@
  * the devices. */
 #pragma once
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/input.h"
@@ -16,21 +17,30 @@
 
 enum sound {
     SOUND_NONE = 0,
-    SOUND_DIP,    /* The ring enters the water. */
-    SOUND_LIFT,   /* The ring leaves the water, dripping. */
-    SOUND_CATCH,  /* A fish lands in the bowl. */
-    SOUND_SLAP,   /* A tail hits the paper. */
-    SOUND_TEAR,   /* A hole opens in the paper. */
-    SOUND_GONE,   /* The paper becomes useless. */
-    SOUND_START,  /* A round begins. */
-    SOUND_TICK,   /* Countdown of the last seconds, one sound per second. */
-    SOUND_RESULT, /* The round is over. */
-    SOUND_CALL,   /* Time announcement: one minute, two minutes, ten seconds left. */
-    SOUND_FOUL,   /* Whistle for a foul. */
-    SOUND_CHOOSE, /* The selection moves to another mode. */
-    SOUND_COIN,   /* A coin was accepted. */
-    SOUND_CREAK,  /* The paper creaks before it tears. */
-    SOUND_MISS,   /* A player almost caught a fish. */
+    SOUND_DIP,     /* The ring enters the water. */
+    SOUND_LIFT,    /* The ring leaves the water, dripping. */
+    SOUND_CATCH,   /* A fish lands in the bowl. */
+    SOUND_SLAP,    /* A tail hits the paper. */
+    SOUND_TEAR,    /* A hole opens in the paper. */
+    SOUND_GONE,    /* The paper becomes useless. */
+    SOUND_START,   /* A round begins. */
+    SOUND_TICK,    /* Countdown of the last seconds, one sound per second. */
+    SOUND_RESULT,  /* The round is over. */
+    SOUND_CALL,    /* Time announcement: one minute, two minutes, ten seconds left. */
+    SOUND_FOUL,    /* Whistle for a foul. */
+    SOUND_CHOOSE,  /* The selection moves to another mode. */
+    SOUND_COIN,    /* A coin was accepted. */
+    SOUND_CREAK,   /* The paper creaks before it tears. */
+    SOUND_MISS,    /* A player almost caught a fish. */
+    SOUND_WET,     /* Dry paper becomes wet. */
+    SOUND_DRIP,    /* Drops fall from a lifted poi. */
+    SOUND_PLOP,    /* A fish falls from a poi into the tank. */
+    SOUND_ESCAPE,  /* A startled fish splashes at the surface. */
+    SOUND_GULP,    /* A fish breathes air at the surface. */
+    SOUND_KEY,     /* The selection in the menu moves. */
+    SOUND_WIN,     /* The round is over, and a player caught fish. */
+    SOUND_RECORD,  /* The round is over, and its score enters the ranking. */
+    SOUND_WELCOME, /* The stall keeper calls the players at the start of a round. */
     SOUND_COUNT,
 };
 
@@ -38,6 +48,15 @@ struct sound_event {
     uint8_t sound; /* Sound to play (enum sound). */
     float gain;    /* Gain of the sound, (0, 1]. */
     float pan;     /* Stereo position of the sound, from -1 (left) to 1 (right). */
+};
+
+/* Levels of the sources that the audio output mixes, each in [0, 1]. */
+struct sound_levels {
+    float effects;
+    float music;
+    float ambience; /* Sounds around the stall: crowd, cicadas, bubbles and water. */
+    uint32_t song;  /* Seed of the music. A change starts the music from its first part. */
+    bool has_pump;  /* True if the air pump bubbles. */
 };
 
 /* Force feedback for one poi. Force and torque are the reactions of water, fish and walls in world
@@ -137,6 +156,7 @@ struct output {
     /* 1 if the program may restart, because attract mode is active and the balance contains no open
      * game; otherwise 0. */
     uint8_t is_idle;
+    uint8_t has_pump;     /* 1 while the air pump of the tank bubbles, otherwise 0. */
     uint8_t start_lamp;   /* 1 if the START button's lamp is lit, otherwise 0. */
     uint8_t coin_lockout; /* 1 if coins fall through to the return tray, otherwise 0. */
     /* Number of coins counted since the kiosk started. The coin meter in the cabinet receives one

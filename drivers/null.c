@@ -73,6 +73,10 @@ static void null_set_transform(void *self, const struct display_settings *displa
 {
 }
 
+static void null_set_levels(void *self, const struct sound_levels *levels)
+{
+}
+
 static void null_set_view(void *self, const struct view *view,
                           const struct display_settings *display_settings, bool scoops)
 {
@@ -127,6 +131,7 @@ static const struct hal_controllers_ops controllers_ops = {
 static const struct hal_audio_ops audio_ops = {
     .open = null_open,
     .play = null_play,
+    .set_levels = null_set_levels,
     .describe = null_describe,
     .close = null_close,
 };

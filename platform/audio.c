@@ -27,15 +27,24 @@ static void render(void *context, Uint8 *bytes, int size)
     if (sigaltstack(NULL, &present) == 0 && (present.ss_flags & SS_DISABLE)) {
         sigaltstack(&own, NULL);
     }
+    const unsigned packed = atomic_load(&audio->levels);
+    const struct sound_levels levels = {
+        .effects = (float)(packed & 255u) / 255.0f,
+        .music = (float)(packed >> 8 & 255u) / 255.0f,
+        .ambience = (float)(packed >> 16 & 255u) / 255.0f,
+        .has_pump = packed >> 24 != 0,
+        .song = atomic_load(&audio->song),
+    };
+    mixer_set_levels(&audio->mixer, &levels);
     unsigned taken = atomic_load(&audio->taken);
     while (taken != atomic_load(&audio->pushed)) {
-        synth_play(&audio->synth, &audio->queue[taken % AUDIO_QUEUE_MAX]);
+        mixer_play(&audio->mixer, &audio->queue[taken % AUDIO_QUEUE_MAX]);
         atomic_store(&audio->taken, ++taken);
     }
     const uint32_t frame_count = (uint32_t)size / (2u * (uint32_t)sizeof(int16_t));
     /* SDL passes a pointer to bytes, but the samples in the buffer are of type int16_t. */
     void *const samples = bytes;
-    synth_render(&audio->synth, samples, frame_count);
+    mixer_render(&audio->mixer, samples, frame_count);
 }
 
 static void discard_alsa_message(const char *file, int line, const char *function, int error,
@@ -91,7 +100,7 @@ static int audio_open(void *self)
         return HAL_ERR_ABSENT;
     }
     const SDL_AudioSpec wanted = {
-        .freq = (int)SYNTH_RATE_HZ,
+        .freq = (int)SOUND_RATE_HZ,
         .format = AUDIO_S16SYS,
         .channels = 2,
         .samples = AUDIO_FRAME_COUNT,
@@ -99,7 +108,7 @@ static int audio_open(void *self)
         .userdata = audio,
     };
     quiet_alsa();
-    synth_init(&audio->synth);
+    mixer_init(&audio->mixer, atomic_load(&audio->song));
     atomic_store(&audio->taken, atomic_load(&audio->pushed)); /* Discards the sounds that were
                                                                  queued for a lost card. */
     if (SDL_InitSubSystem(SDL_INIT_AUDIO) == 0) {
@@ -152,6 +161,21 @@ static int audio_play(void *self, const struct sound_event *event)
     return HAL_OK;
 }
 
+static unsigned level_byte(float level)
+{
+    return (unsigned)(int)(255.0f * f_clamp(level, 0.0f, 1.0f) + 0.5f);
+}
+
+static void audio_set_levels(void *self, const struct sound_levels *levels)
+{
+    struct audio *audio = self;
+    CORE_ASSERT(levels);
+    atomic_store(&audio->song, levels->song);
+    atomic_store(&audio->levels, level_byte(levels->effects) | level_byte(levels->music) << 8 |
+                                     level_byte(levels->ambience) << 16 |
+                                     (levels->has_pump ? 1u << 24 : 0u));
+}
+
 static const char *audio_describe(void *self)
 {
     const struct audio *audio = self;
@@ -164,6 +188,7 @@ struct hal_audio audio_device(struct audio *audio)
     static const struct hal_audio_ops ops = {
         .open = audio_open,
         .play = audio_play,
+        .set_levels = audio_set_levels,
         .describe = audio_describe,
         .close = audio_close,
     };

@@ -1,4 +1,4 @@
-/* audio.h -- audio output: SDL's audio device plays the output of the core's synthesizer.
+/* audio.h -- audio output: SDL's audio device plays the output of the core's mixer.
  *
  * play() puts an event into a ring buffer and never blocks. SDL's audio thread takes the event from
  * the ring buffer, starts the sound and renders it. Without an audio device the kiosk is silent;
@@ -10,7 +10,7 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
-#include "core/sound/synth.h"
+#include "core/sound/mixer.h"
 #include "platform/hal.h"
 
 /* Capacity of the ring buffer in sounds, four times OUTPUT_SOUND_MAX. */
@@ -27,7 +27,7 @@
 struct audio {
     const char *cards;  /* Folder of the kernel's sound devices. Null means /dev/snd. */
     uint32_t device;    /* SDL's device id. 0 means no open device. */
-    struct synth synth; /* Synthesizer. Only the audio thread uses it while the device is open. */
+    struct mixer mixer; /* Mixer. Only the audio thread uses it while the device is open. */
     char text[HAL_TEXT_SIZE];
     uint64_t tried_ns; /* Time in nanoseconds of the last search that found no sound card. */
     uint64_t cards_ns; /* Modification time of the folder `cards` at the last search. */
@@ -36,6 +36,10 @@ struct audio {
      * and `taken` only increase. */
     struct sound_event queue[AUDIO_QUEUE_MAX];
     atomic_uint pushed, taken;
+    /* Levels for the audio thread: effects, music and ambience, one byte (0 to 255) each from
+     * the lowest byte on, and in the highest byte 1 if the air pump bubbles. */
+    atomic_uint levels;
+    atomic_uint song; /* Seed of the music (struct sound_levels). */
 };
 
 /* Returns the HAL device that uses `audio`. `audio` must outlive the returned device. */

@@ -230,6 +230,8 @@ struct hal_audio_ops {
     /* Starts a sound. Never blocks. Returns HAL_ERR_BUSY and drops the sound if the queue is
      * full. */
     int (*play)(void *self, const struct sound_event *event);
+    /* Sets the levels of effects, music and surroundings. Never blocks. */
+    void (*set_levels)(void *self, const struct sound_levels *levels);
     const char *(*describe)(void *self);
     void (*close)(void *self);
 };

@@ -3,7 +3,7 @@
 
 #include "core/core.h"
 #include "core/morph/species.h"
-#include "core/sound/synth.h"
+#include "core/sound/mixer.h"
 
 #define ROW(type, count_max) printf("  %-24s %9zu  %s\n", #type, sizeof(struct type), count_max)
 
@@ -23,6 +23,6 @@ int main(void)
     ROW(scene_fish, "SCENE_FISH_MAX, in the scene");
     ROW(input, "1 a tick");
     ROW(output, "1");
-    ROW(synth, "1, on the audio thread");
+    ROW(mixer, "1, on the audio thread");
     return 0;
 }

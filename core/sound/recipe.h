@@ -1,7 +1,7 @@
 /* recipe.h -- defines the parameters of each sound of the kiosk, as constants for the synthesiser
  * (synth.h).
  *
- * A sound consists of layers (tones and noise) and at most one plucked string. */
+ * A sound consists of layers (tones and noise), at most one plucked string and one call. */
 #pragma once
 
 #include "core/sound/synth.h"
@@ -38,6 +38,9 @@ struct sound_recipe {
     float string_delay_ms;
     /* Factor (0, 1) by which each pass through the delay line weakens the string's wave. */
     float string_keep;
+    uint8_t call;   /* Call that begins with the sound (enum vocal_call); VOCAL_NONE means none. */
+    float vary;     /* Largest random change of the pitch as a share; 0 means no change. */
+    float apart_ms; /* Shortest time between two starts of the sound; 0 means no limit. */
     /* Duration of the sound, after which its voice is free. All layers and the string must be
      * inaudible when the duration ends. */
     float length_ms;

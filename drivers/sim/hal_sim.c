@@ -182,6 +182,13 @@ static int audio_sim_play(void *self, const struct sound_event *event)
     return HAL_OK;
 }
 
+static void audio_sim_set_levels(void *self, const struct sound_levels *levels)
+{
+    struct audio_sim *sim = self;
+    CORE_ASSERT(levels);
+    sim->levels = *levels;
+}
+
 static const char *audio_sim_describe(void *self)
 {
     (void)self;
@@ -199,6 +206,7 @@ struct hal_audio sim_audio_device(struct audio_sim *sim)
     static const struct hal_audio_ops ops = {
         .open = audio_sim_open,
         .play = audio_sim_play,
+        .set_levels = audio_sim_set_levels,
         .describe = audio_sim_describe,
         .close = audio_sim_close,
     };

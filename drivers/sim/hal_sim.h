@@ -67,8 +67,9 @@ struct hal_display sim_display_device(struct display_sim *sim);
 
 struct audio_sim {
     uint32_t played[SOUND_COUNT];
-    float gain; /* Gain of the last played sound. */
-    bool fails; /* True if every play() returns HAL_ERR_IO. */
+    float gain;                 /* Gain of the last played sound. */
+    struct sound_levels levels; /* Levels of the last set_levels(). */
+    bool fails;                 /* True if every play() returns HAL_ERR_IO. */
     /* True if every play() returns HAL_ERR_GONE and every open() returns HAL_ERR_ABSENT. */
     bool gone;
     uint32_t open_count;

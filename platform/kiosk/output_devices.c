@@ -3,6 +3,7 @@
 #include "platform/kiosk/output_devices.h"
 
 #include "core/base/panic.h"
+#include "core/scene.h"
 
 /* Interval between two attempts to use a device that failed, and between two searches for a sound
  * card. */
@@ -23,16 +24,47 @@ void output_audio_open(struct output_audio *voice, const struct hal_audio *audio
     voice->retry_ns = audio->ops->open(audio->self) == HAL_OK ? 0 : now_ns + RETRY_NS;
 }
 
+/* Levels of music and surroundings in the phases in which nobody plays, and on the pages that
+ * people read. The operator's menu has no music, because the operator listens to the tests. */
+#define ATTRACT_LEVEL 0.6f
+#define PAGE_LEVEL 0.5f
+
+/* Returns the levels for the present phase of the game. */
+static struct sound_levels levels_of(const struct settings *settings, const struct output *output,
+                                     bool is_silent)
+{
+    static const float music_in_phase[] = {
+        [PHASE_ATTRACT] = ATTRACT_LEVEL,
+        [PHASE_READY] = 1.0f,
+        [PHASE_ROUND] = 1.0f,
+        [PHASE_RESULT] = 1.0f,
+        [PHASE_WORDLESS] = 0.0f,
+        [PHASE_MODE_SELECT] = 1.0f,
+        [PHASE_LAB] = PAGE_LEVEL,
+        [PHASE_ALBUM] = PAGE_LEVEL,
+        [PHASE_MENU] = 0.0f,
+        [PHASE_NAME] = PAGE_LEVEL,
+        [PHASE_LEADERBOARD] = PAGE_LEVEL,
+    };
+    CORE_ASSERT(output->phase < sizeof music_in_phase / sizeof music_in_phase[0]);
+    /* The level is the square of the setting, because hearing follows a power law: half of the
+     * setting then sounds about half as loud. */
+    const float share = is_silent ? 0.0f : 0.01f * (float)settings->value[SET_VOLUME];
+    const float music = share * share * music_in_phase[output->phase];
+    return (struct sound_levels){
+        .effects = share * share,
+        .music = music,
+        .ambience = music,
+        .song = output->round_tick,
+        .has_pump = output->has_pump,
+    };
+}
+
 uint32_t output_audio_play(struct output_audio *voice, const struct hal_audio *audio,
                            const struct output *output, const struct settings *settings,
                            bool is_attract, uint64_t now_ns)
 {
-    CORE_ASSERT(settings->value[SET_VOLUME] >= 0);
     CORE_ASSERT(output->sound_count <= OUTPUT_SOUND_MAX);
-    /* The gain is the square of the volume setting, because hearing follows a power law: half of
-     * the setting then sounds about half as loud. */
-    const float share = 0.01f * (float)settings->value[SET_VOLUME];
-    const float gain = share * share;
     uint32_t faults = 0;
     if (voice->retry_ns > 0 && now_ns >= voice->retry_ns) {
         output_audio_open(voice, audio, now_ns);
@@ -44,13 +76,14 @@ uint32_t output_audio_play(struct output_audio *voice, const struct hal_audio *a
     }
     const uint64_t section = (now_ns - voice->attract_ns) / NS_PER_S / OUTPUT_AUDIO_SHOW_S;
     const uint64_t every = (uint64_t)settings->value[SET_ATTRACT_SOUND];
-    if (gain <= 0.0f || (is_attract && (every == 0 || section % every != 0))) {
+    const bool is_silent = is_attract && (every == 0 || section % every != 0);
+    const struct sound_levels levels = levels_of(settings, output, is_silent);
+    audio->ops->set_levels(audio->self, &levels);
+    if (levels.effects <= 0.0f) {
         return 0;
     }
     for (uint32_t i = 0; i < output->sound_count && voice->retry_ns == 0; i++) {
-        struct sound_event event = output->sounds[i];
-        event.gain *= gain;
-        const int result = audio->ops->play(audio->self, &event);
+        const int result = audio->ops->play(audio->self, &output->sounds[i]);
         faults += (uint32_t)hal_is_fault(result);
         if (result == HAL_ERR_GONE) { /* The loss of the sound card counts as one fault. The
                                          remaining sounds of the frame are dropped. */

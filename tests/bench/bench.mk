@@ -67,6 +67,17 @@ $(BENCH_MORPH): %: %.o $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
 
+BENCH_SOUND := $(BUILD)/tests/bench/bench_sound
+
+## measure/bench-sound: Measure cost, loudness and spectrum of a round; build/bench_sound.wav
+bench-sound:
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_SOUND)
+	@$(BENCH_SOUND) $(or $(PLAYERS),4) $(BUILD)/bench_sound.wav
+
+$(BENCH_SOUND): %: %.o $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
+
 BENCH_HID := $(BUILD)/tests/bench/bench_hid
 BENCH_HID_SRC := $(patsubst %,drivers/hid/%.c,hid_descriptor hid_item)
 
@@ -82,7 +93,7 @@ $(BENCH_HID): %: %.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-.PHONY: bench bench-tank bench-assertions bench-poi bench-morph bench-hid
+.PHONY: bench bench-tank bench-assertions bench-poi bench-sound bench-morph bench-hid
 
 # Rounds of the bots on all cores, which take minutes. gnuplot draws pictures if it is installed
 # (board/setup.sh dev).

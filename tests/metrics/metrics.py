@@ -76,6 +76,7 @@ FEATURE_LINES = {
     'quality steps in the order in which a viewer notices them, the screen scale, and half the frame rate': 68,
     'a Latin typeface of the readable text, a curtain that cuts no letter, and a pointer without paper': 34,
     'a backup of a database that was deleted while it was open, and the links and FIFOs that doctor names': 54,
+    'festival music, sounds around the stall, and a mixer': 1386,
     'credits that wait until the log is on disk, renames that replace no file, a backup that is aborted, a complete read of the settings': 90,
     'the update by USB stick: its page in the menu, and the link to the service': 383,
 }

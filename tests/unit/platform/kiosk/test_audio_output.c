@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "drivers/sim/hal_sim.h"
+#include "core/scene.h"
 #include "platform/kiosk/output_devices.h"
 
 #define S 1000000000ull
@@ -26,7 +27,7 @@ static int set_up(void **state)
     memset(&sim, 0, sizeof sim);
     audio = sim_audio_device(&sim);
     settings_reset(&settings);
-    output.sound_count = 0;
+    memset(&output, 0, sizeof output);
     output_sound(&output, SOUND_DIP, 0.5f, 0.0f);
     return 0;
 }
@@ -43,12 +44,32 @@ static void test_the_volume_setting_is_a_power_law_and_zero_is_silent(void **sta
     settings.value[SET_VOLUME] = 100;
     put(0, 2 * S);
     assert_float_equal(sim.gain, 0.5f, 1e-6f);
+    assert_float_equal(sim.levels.effects, 1.0f, 1e-6f);
     settings.value[SET_VOLUME] = 50;
     put(0, 2 * S);
-    assert_float_equal(sim.gain, 0.125f, 1e-6f);
+    assert_float_equal(sim.gain, 0.5f, 1e-6f);
+    assert_float_equal(sim.levels.effects, 0.25f, 1e-6f);
     settings.value[SET_VOLUME] = 0;
     put(0, 2 * S);
     assert_int_equal(sim.played[SOUND_DIP], 2);
+    assert_float_equal(sim.levels.effects, 0.0f, 1e-6f);
+    assert_float_equal(sim.levels.music, 0.0f, 1e-6f);
+}
+
+static void test_music_plays_in_a_game_and_not_in_the_operators_menu(void **state)
+{
+    (void)state;
+    output_audio_open(&voice, &audio, 1 * S);
+    settings.value[SET_VOLUME] = 100;
+    output.phase = PHASE_ROUND;
+    output.round_tick = 77;
+    put(0, 2 * S);
+    assert_float_equal(sim.levels.music, 1.0f, 1e-6f);
+    assert_int_equal(sim.levels.song, 77);
+    output.phase = PHASE_MENU;
+    put(0, 2 * S);
+    assert_float_equal(sim.levels.music, 0.0f, 1e-6f);
+    assert_float_equal(sim.levels.effects, 1.0f, 1e-6f);
 }
 
 static uint32_t heard_in_ten_shows(int32_t every)
@@ -122,6 +143,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(test_the_volume_setting_is_a_power_law_and_zero_is_silent),
+        TEST(test_music_plays_in_a_game_and_not_in_the_operators_menu),
         TEST(test_sound_plays_in_every_nth_attract_cycle_and_in_every_game),
         TEST(test_a_sound_card_plugged_in_after_the_start_is_used),
         TEST(test_a_silent_attract_mode_retries_the_sound_card),

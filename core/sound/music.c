@@ -1,0 +1,198 @@
+/* music.c -- implements the player of the festival music; see music.h. */
+#include "core/sound/music.h"
+
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/sound/score.h"
+
+/* Blocks (14 ms) by which the second flute follows, and its tuning. */
+#define LATE_BLOCKS 21u
+#define SECOND_CENTS -7.0f
+/* Largest random delay of a stroke in blocks (4 ms). */
+#define LOOSE_BLOCKS 6u
+/* Levels of the instruments. */
+#define FLUTE_LEVEL 0.23f
+#define SECOND_LEVEL 0.12f
+#define LONG_STEPS 5u /* A note of at least this length can be shaken. */
+
+/* Uses of a random number. The number depends on the use and on the position in the music only. */
+enum music_choice {
+    CHOICE_MELODY = 1,
+    CHOICE_BAR,
+    CHOICE_ORNAMENT,
+    CHOICE_STROKE,
+};
+
+/* Returns a random number for a use at the present position. */
+static uint32_t choose(const struct music *music, enum music_choice use, uint32_t which)
+{
+    uint32_t x = music->seed ^ (music->bars * 0x9e3779b9u) ^ ((uint32_t)use * 0x85ebca6bu) ^
+                 (which * 0xc2b2ae35u);
+    x = (x ^ (x >> 16)) * 0x7feb352du;
+    x = (x ^ (x >> 15)) * 0x846ca68bu;
+    return x ^ (x >> 16);
+}
+
+static const struct score_part *part_now(const struct music *music)
+{
+    return &score_parts[music->part % SCORE_PARTS];
+}
+
+static float step_blocks(const struct music *music)
+{
+    return SOUND_BLOCKS_PER_S * 60.0f / (3.0f * (float)part_now(music)->beats_per_min);
+}
+
+void music_init(struct music *music, uint32_t seed)
+{
+    memset(music, 0, sizeof *music);
+    music->seed = seed;
+    music->drums.noise = seed + 1u;
+    music->flute[0].noise = seed + 2u;
+    music->flute[1].noise = seed + 3u;
+    music->flute[1].cents = SECOND_CENTS;
+}
+
+/* ---- Melody --------------------------------------------------------------------------------- */
+
+static void begin_phrase(struct music *music)
+{
+    const struct score_part *part = part_now(music);
+    const bool is_last = music->phrase + 1u == part->phrases;
+    const uint32_t count = is_last ? part->close_count : part->melody_count;
+    CORE_ASSERT(count > 0 && count <= SCORE_VARIANTS_MAX);
+    const uint32_t variant = choose(music, CHOICE_MELODY, 0) % count;
+    music->melody = is_last ? part->close[variant] : part->melody[variant];
+    music->note_steps = 0;
+}
+
+/* Returns the ornament of a note of `steps` steps. */
+static uint8_t ornament_of(const struct music *music, uint32_t steps)
+{
+    const uint32_t chance = choose(music, CHOICE_ORNAMENT, music->step) % 100u;
+    if (steps >= LONG_STEPS) {
+        return chance < 40u ? FLUTE_SHAKE : chance < 65u ? FLUTE_FALL : FLUTE_GRACE;
+    }
+    if (steps >= 2u) {
+        return chance < 28u ? FLUTE_GRACE : chance < 48u ? FLUTE_TAP : FLUTE_PLAIN;
+    }
+    return FLUTE_PLAIN;
+}
+
+static uint32_t digit(char hex)
+{
+    CORE_ASSERT((hex >= '1' && hex <= '9') || (hex >= 'A' && hex <= 'C'));
+    return (uint32_t)(hex <= '9' ? hex - '0' : hex - 'A' + 10);
+}
+
+static void next_note(struct music *music)
+{
+    const float hz = score_hz(music->melody[0]);
+    const uint32_t steps = digit(music->melody[1]);
+    music->melody += 2;
+    music->note_steps = steps;
+    if (hz <= 0.0f) {
+        return;
+    }
+    /* A long note ends one third of a step early, because the player takes breath. */
+    const float blocks = step_blocks(music) * ((float)steps - (steps >= LONG_STEPS ? 0.5f : 0.12f));
+    const float accent = music->step % 3u == 0 ? 1.0f : 0.82f;
+    music->late.hz = hz;
+    music->late.level = SECOND_LEVEL * accent;
+    music->late.length_blocks = (uint32_t)(int32_t)blocks;
+    music->late.ornament = FLUTE_PLAIN;
+    music->late_blocks = LATE_BLOCKS;
+    flute_play(&music->flute[0], hz, FLUTE_LEVEL * accent, music->late.length_blocks,
+               ornament_of(music, steps));
+}
+
+/* ---- Drums ---------------------------------------------------------------------------------- */
+
+/* Strikes one instrument: `loud` for the character `loud_mark`, `soft` for `soft_mark`. */
+static void strike(struct music *music, uint8_t kind, float strength, uint32_t which)
+{
+    const uint32_t random = choose(music, CHOICE_STROKE, 4u * music->step + which);
+    const float human = 0.86f + 0.14f * (float)(random % 64u) / 64.0f;
+    drum_strike(&music->drums, kind, strength * human, (random >> 8) % LOOSE_BLOCKS);
+}
+
+static void strike_taiko(struct music *music, char mark)
+{
+    if (mark == 'D' || mark == 'd') {
+        strike(music, DRUM_TAIKO, mark == 'D' ? 0.62f : 0.34f, 0);
+    } else if (mark == 'K') {
+        strike(music, DRUM_RIM, 0.5f, 0);
+    }
+}
+
+static void strike_shime(struct music *music, char mark)
+{
+    if (mark == 'T' || mark == 'R') {
+        strike(music, DRUM_SHIME, 0.46f, 1);
+    } else if (mark == 't') {
+        strike(music, DRUM_SHIME_LO, 0.38f, 1);
+    }
+    if (mark == 'R') {
+        const uint32_t half = (uint32_t)(int32_t)(0.5f * step_blocks(music));
+        drum_strike(&music->drums, DRUM_SHIME_LO, 0.42f, half);
+    }
+}
+
+static void strike_bell(struct music *music, char mark)
+{
+    if (mark == 'C' || mark == 'c') {
+        strike(music, mark == 'C' ? DRUM_BELL : DRUM_BELL_LO, mark == 'C' ? 0.34f : 0.30f, 2);
+    }
+}
+
+static void play_drums(struct music *music)
+{
+    const struct score_part *part = part_now(music);
+    const bool is_fill = music->phrase + 1u == part->phrases && music->step >= SCORE_STEPS_PER_BAR;
+    const struct score_bar *bar =
+        is_fill ? &part->fill : &part->bar[choose(music, CHOICE_BAR, 0) % part->bar_count];
+    const uint32_t at = music->step % SCORE_STEPS_PER_BAR;
+    strike_taiko(music, bar->taiko[at]);
+    strike_shime(music, bar->shime[at]);
+    strike_bell(music, bar->bell[at]);
+}
+
+/* ---- Time ----------------------------------------------------------------------------------- */
+
+static void play_step(struct music *music)
+{
+    if (music->step == 0) {
+        begin_phrase(music);
+    }
+    if (music->note_steps == 0) {
+        next_note(music);
+    }
+    music->note_steps--;
+    play_drums(music);
+    music->step++;
+    music->bars += music->step % SCORE_STEPS_PER_BAR == 0;
+    if (music->step == SCORE_STEPS_PER_PHRASE) {
+        music->step = 0;
+        music->phrase++;
+        if (music->phrase == part_now(music)->phrases) {
+            music->phrase = 0;
+            music->part++;
+        }
+    }
+}
+
+void music_render(struct music *music, float *mix)
+{
+    if (music->wait <= 0.0f) {
+        music->wait += step_blocks(music);
+        play_step(music);
+    }
+    music->wait -= 1.0f;
+    if (music->late_blocks > 0 && --music->late_blocks == 0) {
+        flute_play(&music->flute[1], music->late.hz, music->late.level, music->late.length_blocks,
+                   music->late.ornament);
+    }
+    flute_render(&music->flute[0], tone_pan(-0.25f), mix);
+    flute_render(&music->flute[1], tone_pan(0.35f), mix);
+    drum_render(&music->drums, mix);
+}
