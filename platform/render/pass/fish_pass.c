@@ -114,6 +114,22 @@ static void choose_meshes(struct fish_pass *pass, const struct scene *scene,
     }
 }
 
+static void fill_instance(struct fish_instance *out, const struct scene_fish *fish, uint32_t row)
+{
+    const vec3 at = fish->position_m;
+    const struct basis axes = vec_basis_from_angles(fish->angles);
+    const float layer = textures_pattern(fish->look);
+    *out = (struct fish_instance){
+        .place = { at.x, at.y, at.z, fish->length_m },
+        .right_phase = { axes.right.x, axes.right.y, axes.right.z, fish->tail_phase_rad },
+        .up_amplitude = { axes.up.x, axes.up.y, axes.up.z, fish->tail_amplitude },
+        .bend_rad = fish->bend_rad,
+        .layer = layer,
+        .gulp = { fish->gape, fish->place == SCENE_IN_BOWL ? -1.0f : fish->gulp, (float)row },
+    };
+    fish_colours_compute(&out->colours, fish->maturity, textures_hue(fish->look), layer);
+}
+
 void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
                        const struct frame_view *view, const struct quality *quality)
 {
@@ -134,21 +150,7 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
     sort_by_height(pass, scene);
     for (uint32_t i = 0; i < scene->fish_count; i++) {
         const uint32_t row = pass->order[i];
-        const struct scene_fish *const fish = &scene->fish[row];
-        const vec3 at = fish->position_m;
-        const struct basis axes = vec_basis_from_angles(fish->angles);
-        struct fish_instance *const out = &pass->instances[next[pass->group[row]]++];
-        const float layer = textures_pattern(fish->look);
-        *out = (struct fish_instance){
-            .place = { at.x, at.y, at.z, fish->length_m },
-            .right_phase = { axes.right.x, axes.right.y, axes.right.z, fish->tail_phase_rad },
-            .up_amplitude = { axes.up.x, axes.up.y, axes.up.z, fish->tail_amplitude },
-            .bend_rad = fish->bend_rad,
-            .layer = layer,
-            .gulp = { fish->gape, pass->group[row] == FISH_IN_BOWL ? -1.0f : fish->gulp,
-                      (float)row },
-        };
-        fish_colours_compute(&out->colours, fish->maturity, textures_hue(fish->look), layer);
+        fill_instance(&pass->instances[next[pass->group[row]]++], &scene->fish[row], row);
     }
     /* The texture row of each fish is its index in the scene. A row is written again only if
      * another fish or a fish that has grown needs the row. */
