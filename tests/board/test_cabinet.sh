@@ -44,7 +44,14 @@ boot_file_agrees() { # BOARD
     [ "$(sed -n 's/^gpio=\(.*\)=ip,pu$/\1/p' "board/$1/config.txt" | tr , '\n' | sort -n | xargs)" = "$inputs" ] &&
         [ "$(sed -n 's/^gpio=\(.*\)=op,dl$/\1/p' "board/$1/config.txt" | tr , '\n' | sort -n | xargs)" = "$outputs" ] &&
         grep -qx "gpio=$(awk '$1 == "COIN_LOCKOUT" { print $3 }' "$work/page")=ip,pd" "board/$1/config.txt" &&
-        [ "$(wc -l <"board/$1/cmdline.txt")" = 1 ]
+        [ "$(wc -l <"board/$1/cmdline.txt")" = 1 ] && mode_fits_gpu "$1"
+}
+
+# The mode of the screen is the one that the GPU of the board draws at 60 Hz (tests/FIGURES.md).
+mode_fits_gpu() { # BOARD
+    local mode=1920x1080
+    [ "$1" != rpi4 ] || mode=1280x720
+    grep -q "^video=HDMI-A-1:$mode@60D " "board/$1/cmdline.txt"
 }
 
 # Every role of the cabinet has its line, and the kiosk accepts each line.
