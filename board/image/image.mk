@@ -2,14 +2,20 @@
 
 IMAGE := $(BUILD)/image/$(BOARD)
 
-## package/image: Build a bootable Debian disk image; BOARD=vm; UPDATE_KEY=FILE.pub
+# A board that names a processor other than amd64 is a Raspberry Pi, whose memory card card/card.sh makes.
+card_arch = $(filter-out amd64,$(shell sed -n 's/^arch=//p' board/$(BOARD)/image.conf $(if $(filter poi,$(BOARD)),board/rpi4/image.conf)))
+image_script = $(if $(card_arch),card/card.sh,image.sh)
+# The programs on the disk: the packages, or the program of a poi.
+image_programs = $(if $(filter poi,$(BOARD)),poi-gadget,deb)
+
+## package/image: Build a bootable image; BOARD=vm, rpi4 or poi; UPDATE_KEY=FILE.pub
 image:
-	@board/setup.sh vm
+	@board/setup.sh vm $(if $(card_arch),cross)
 	@test -f board/$(BOARD)/image.conf || { \
 	    echo 'image: no board/$(BOARD)/image.conf; BOARD is one of:' \
 	    $(patsubst board/%/image.conf,%,$(wildcard board/*/image.conf)) >&2; exit 2; }
-	+@$(MAKE) --no-print-directory BOARD=desktop -j$(JOBS) deb
-	@BUILD=$(BUILD) IMAGE=$(IMAGE) UPDATE_KEY='$(UPDATE_KEY)' board/image/image.sh $(BOARD)
+	+@$(MAKE) --no-print-directory BOARD=desktop -j$(JOBS) $(card_arch:%=ARCH=%) $(image_programs)
+	@BUILD=$(BUILD) IMAGE=$(IMAGE) UPDATE_KEY='$(UPDATE_KEY)' board/image/$(image_script) $(BOARD)
 
 # The package has the system of the last `make image`, which must have had the matching UPDATE_KEY.
 ## package/update: Sign the last image as an update for a USB stick; SIGN_KEY=FILE

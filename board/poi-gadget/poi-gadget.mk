@@ -15,7 +15,12 @@ GADGET_OBJ := $(patsubst %.c,$(BUILD)/poi-gadget/%.o,$(GADGET_SRC) $(GADGET_SHAR
 BOARD_OBJ += $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/main.c,$(GADGET_SRC)))
 
 ## build/poi-gadget: Build kingyo-poi, the program on the board inside a poi
+ifneq ($(FOREIGN),)
+poi-gadget:
+	@$(cross) poi-gadget
+else
 poi-gadget: $(BUILD)/kingyo-poi
+endif
 
 $(BUILD)/kingyo-poi: $(GADGET_OBJ)
 	$(call step,LINK,$@)

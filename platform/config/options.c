@@ -51,6 +51,19 @@ static bool set_demo(void *target, const struct option *option, const char *valu
     return !value || number_parse(value, OPTIONS_DEMO_S_MIN, OPTIONS_DEMO_S_MAX, &options->demo_s);
 }
 
+/* The self-test plays by the bot, without coins. */
+static bool set_selftest(void *target, const struct option *option, const char *value, char *why)
+{
+    struct options *options = target;
+    (void)option;
+    (void)why;
+    options->selftest_s = OPTIONS_SELFTEST_S;
+    options->poi = BOARD_POI_BOT;
+    add_setting(target, SET_PLAY, PLAY_FREE);
+    return !value ||
+           number_parse(value, OPTIONS_DEMO_S_MIN, OPTIONS_DEMO_S_MAX, &options->selftest_s);
+}
+
 static bool set_window(void *target, const struct option *option, const char *value, char *why)
 {
     struct options *options = target;
@@ -171,6 +184,9 @@ _Static_assert(BOARD_POI_BOT == 5 && BOARD_KEYBOARD_OFF == 2 && TANK_PRESET_OFFI
 static const struct option table[] = {
     { "demo", "[SECONDS]", "let the bot play off screen and write pictures (20 s)", SET(set_demo),
       .expects = "5 to 600 seconds" },
+    { "selftest-board", "[SECONDS]",
+      "let the bot play on the screen, then print a report about this board (180 s)",
+      SET(set_selftest), .expects = "5 to 600 seconds" },
     { "window", "WxH", "play in a window of this size in pixels; the default is full screen",
       SET(set_window), .expects = "WIDTHxHEIGHT from 320x240 to 8192x8192", .section = "picture" },
     { "detail", "PERCENT",

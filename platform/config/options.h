@@ -15,6 +15,7 @@
 #define OPTIONS_DEMO_S 20u
 #define OPTIONS_DEMO_S_MIN 5u
 #define OPTIONS_DEMO_S_MAX 600u
+#define OPTIONS_SELFTEST_S 180u /* Default length of the self-test of a board in seconds. */
 #define OPTIONS_MODES_ALL ((1 << CHOICE_COUNT) - 1)
 
 /* Settings from one source, for example the command line. If the source sets the setting `id`,
@@ -28,7 +29,9 @@ struct options {
     bool help, version;
     /* True if the demonstration runs without a window and writes pictures. */
     bool demo;
-    uint32_t demo_s;        /* Length of the demonstration in seconds. */
+    uint32_t demo_s; /* Length of the demonstration in seconds. */
+    /* Length of the self-test of a board in seconds. 0 means no self-test. */
+    uint32_t selftest_s;
     uint32_t width, height; /* Window size in pixels. 0 means full screen. */
     /* Width of the picture without its words, in per cent of the screen's width. 0 means that the
      * renderer chooses the width for the graphics hardware. */

@@ -34,8 +34,12 @@ struct run_common {
     struct replay_totals replayed;
     struct system_health machine; /* System health monitor. */
     struct update_link update;    /* Link to the update service. */
-    struct status status;         /* Writer of the status file for monitoring tools. */
-    uint8_t *rgb;                 /* Buffer for pictures. The buffer grows with the window. */
+    /* For the self-test of a board: the time of the first picture since power on in milliseconds,
+     * and the temperature margin before that picture (thermal_read()). */
+    uint64_t first_picture_ms;
+    int32_t margin_begin_mdeg;
+    struct status status; /* Writer of the status file for monitoring tools. */
+    uint8_t *rgb;         /* Buffer for pictures. The buffer grows with the window. */
     size_t rgb_size;
     const volatile sig_atomic_t *stop; /* Nonzero after SIGINT or SIGTERM. */
 };

@@ -10,10 +10,12 @@
 
 #include "core/tank/preset.h"
 #include "platform/board.h"
+#include "platform/kiosk/board_report.h"
 #include "platform/os/clock.h"
 #include "platform/os/file.h"
 #include "platform/os/log.h"
 #include "platform/os/print.h"
+#include "platform/thermal.h"
 
 #define SHOT_TICKS (5u * CORE_TICK_HZ)
 
@@ -82,6 +84,48 @@ static void on_display_lost(void *self)
     _exit((int)code);
 }
 
+/* Returns the time since power on in milliseconds, including sleep. */
+static uint64_t since_power_on_ms(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_BOOTTIME, &now);
+    return (uint64_t)now.tv_sec * 1000u + (uint64_t)now.tv_nsec / 1000000u;
+}
+
+/* Gives the self-test an empty data folder, so that its rounds do not enter the books. The folder
+ * is in the folder of temporary files, which the system empties. */
+static void use_temporary_data(struct options *options)
+{
+    const char *folder = getenv("TMPDIR");
+    snprintf(options->data, sizeof options->data, "%s/kingyo-selftest-XXXXXX",
+             folder && folder[0] ? folder : "/tmp");
+    if (!mkdtemp(options->data)) {
+        options->data[0] = '\0';
+    }
+}
+
+static void print_board_report(const struct run_common *session)
+{
+    const struct kiosk *kiosk = &session->kiosk;
+    const struct board_report report = {
+        .root = "",
+        .display = session->hal.display.ops->describe(session->hal.display.self),
+        .seconds = session->options.selftest_s,
+        .fish = core_status(&kiosk->core).fish_count,
+        .players = kiosk->core.config.players,
+        .first_picture_ms = session->first_picture_ms,
+        .frames = kiosk->frames,
+        .dropped_ticks = kiosk->pace.dropped,
+        .faults = kiosk_fault_count(&kiosk->faults),
+        .frame_time = &kiosk->frame_time,
+        .work_time = &kiosk->work_time,
+        .margin_begin_mdeg = session->margin_begin_mdeg,
+        .margin_end_mdeg = thermal_read(THERMAL_ROOT),
+    };
+    board_report_print(&report, stdout);
+    fflush(stdout);
+}
+
 bool run_interactive_waits_for_screen(void)
 {
     const char *socket = getenv("NOTIFY_SOCKET");
@@ -92,7 +136,9 @@ bool run_interactive_open(struct run_common *session)
 {
     struct options *options = &session->options;
     struct display_events events;
-    if (!options->data[0]) {
+    if (options->selftest_s > 0) {
+        use_temporary_data(options);
+    } else if (!options->data[0]) {
         file_default_data(options->data);
     }
     /* The data folder must exist before panic_evidence_open(). If the folder cannot be created, the
@@ -132,6 +178,21 @@ bool run_interactive_open(struct run_common *session)
     return true;
 }
 
+/* Takes a picture if one is due (option --shots). `shots` is the number of pictures so far. Returns
+ * the new number. After the first failure the number is UINT32_MAX and no more pictures are taken,
+ * so that the error is reported only once. */
+static uint32_t take_due_shot(struct run_common *session, uint32_t shots)
+{
+    char path[OPTIONS_PATH_MAX + 32];
+    struct hal_image image;
+    if (!session->options.shots[0] || shots == UINT32_MAX ||
+        session->kiosk.output.tick < (shots + 1) * SHOT_TICKS) {
+        return shots;
+    }
+    snprintf(path, sizeof path, "%s/shot-%04u.png", session->options.shots, shots + 1);
+    return run_common_shot(session, path, &image) ? UINT32_MAX : shots + 1;
+}
+
 static enum kiosk_end run_interactive_loop(struct run_common *session)
 {
     const struct hal_clock clock = clock_device();
@@ -139,9 +200,17 @@ static enum kiosk_end run_interactive_loop(struct run_common *session)
     struct frame_pacer_sleep rest = { 0 };
     uint32_t shots = 0;
     bool was_away = false, is_float_reported = false;
+    const uint64_t due_ns = hal_now_ns(clock) + session->options.selftest_s * NS_PER_S;
+    session->margin_begin_mdeg = thermal_read(THERMAL_ROOT);
     while (end == KIOSK_RUNS && !*session->stop) {
         const uint64_t begin_ns = hal_now_ns(clock);
+        if (session->options.selftest_s > 0 && begin_ns >= due_ns) {
+            print_board_report(session);
+            break;
+        }
         end = kiosk_frame(&session->kiosk, &session->hal);
+        session->first_picture_ms =
+            session->first_picture_ms ? session->first_picture_ms : since_power_on_ms();
         panic_evidence_note_frame(&session->evidence);
         /* Reports once when the display is lost and once when the display is back. */
         const struct hal_display *display = &session->hal.display;
@@ -159,17 +228,7 @@ static enum kiosk_end run_interactive_loop(struct run_common *session)
                       "rounding): it is set back before each frame");
             is_float_reported = true;
         }
-        /* Takes a picture if one is due. After the first failure no more pictures are taken, so
-         * that the error is reported only once. */
-        char path[OPTIONS_PATH_MAX + 32];
-        struct hal_image image;
-        if (session->options.shots[0] && shots < UINT32_MAX &&
-            session->kiosk.output.tick >= (shots + 1) * SHOT_TICKS) {
-            snprintf(path, sizeof path, "%s/shot-%04u.png", session->options.shots, ++shots);
-            if (run_common_shot(session, path, &image)) {
-                shots = UINT32_MAX;
-            }
-        }
+        shots = take_due_shot(session, shots);
         status_update(&session->status, &session->kiosk, &session->hal, begin_ns);
         const uint64_t end_ns = hal_now_ns(clock);
         const uint64_t rest_ns = frame_pacer_sleep_ns(&rest, end_ns - begin_ns);

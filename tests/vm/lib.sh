@@ -13,6 +13,7 @@ case $GUEST in
     bookworm) suite=bookworm arch=amd64 linux=6.1 machine=x86_64 gpiod=libgpiod2 ;;
     trixie) suite=trixie arch=amd64 linux=6.12 machine=x86_64 gpiod=libgpiod3 ;;
     arm64) suite=bookworm arch=arm64 linux=6.1 machine=aarch64 gpiod=libgpiod2 ;;
+    card) suite=trixie arch=arm64 linux=6.12 machine=aarch64 gpiod=libgpiod3 ;; # tests/vm/board: the card of make image BOARD=rpi4
     *)
         echo "test-vm: GUEST is bookworm, trixie or arm64, not '$GUEST'" >&2
         exit 2
@@ -39,7 +40,7 @@ guest_apt() { # COMMAND...
         cat >"$dir/apt.conf" <<END
 Dir::State "$dir"; Dir::State::lists "$dir/lists"; Dir::State::status "$dir/status";
 Dir::Cache "$dir"; Dir::Etc::sourcelist "$dir/sources.list"; Dir::Etc::sourceparts "-";
-APT::Architecture "$arch"; APT::Architectures { "$arch"; }; APT::Sandbox::User "root";
+APT::Architecture "$arch"; APT::Architectures { "$arch"; $([ "$arch" = amd64 ] || echo '"amd64";') }; APT::Sandbox::User "root";
 END
         APT_CONFIG=$dir/apt.conf apt-get -qq update
         touch "$dir/updated"

@@ -23,6 +23,17 @@ test-image:
 	BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh && \
 	BUILD=$(BUILD) tests/vm/image/test-image.sh
 
+# The programs of the guest are those of the root of `make deb ARCH=arm64`. MACHINES=raspi3b or MACHINES=virt runs one.
+## test/test-board: Boot the cards in emulated boards; MACHINES='parts raspi3b virt poi'
+test-board: MACHINES ?= parts raspi3b virt poi
+test-board:
+	@tests/vm/ready.sh arm64; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
+	$(MAKE) --no-print-directory BOARD=rpi4 image && \
+	$(MAKE) --no-print-directory -j$(JOBS) $(VM_BIN) && \
+	BUILD=$(BUILD) board/deb/cross.sh arm64 vm-guest && \
+	{ [ -z "$(findstring poi,$(MACHINES))" ] || $(MAKE) --no-print-directory BOARD=poi image; } && \
+	BUILD=$(BUILD) MACHINES='$(MACHINES)' tests/vm/board/test-board.sh
+
 ## test/test-firmware: Boot the disk image by UEFI firmware alone
 test-firmware:
 	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
@@ -49,4 +60,4 @@ $(VM_STATIC) $(BUILD)/tests/vm/image/cut: %: %.o
 	$(Q)$(CC) $(OPT) -g -static -o $@ $^ -lpthread
 
 GUEST ?= bookworm
-.PHONY: test-vm test-image test-firmware test-kills vm-guest
+.PHONY: test-vm test-image test-board test-firmware test-kills vm-guest

@@ -3,8 +3,8 @@
  * the memory card of any board.
  *
  * The firmware's bits of throttling are described in Raspberry Pi's documentation of `vcgencmd
- * get_throttled`. The vendor's kernel has them in a file. Debian's kernel has only the alarm of the
- * supply voltage, of its driver raspberrypi-hwmon. */
+ * get_throttled`. The vendor's kernel has them in a file. Other kernels may have the alarm of the
+ * supply voltage, of the driver raspberrypi-hwmon. Debian 13's kernel has neither. */
 #include "platform/ctl/doctor/doctor.h"
 
 #include <fcntl.h>
@@ -33,12 +33,14 @@ enum {
     PAST_SHIFT = 16,
 };
 
-/* Returns the bits of the firmware, or what Debian's kernel knows of them. */
-static uint32_t throttle_bits(const struct doctor *doctor)
+/* Returns the bits of the firmware, or what another kernel knows of them. Sets `is_measured` to
+ * true if the kernel knows the supply voltage. */
+static uint32_t throttle_bits(const struct doctor *doctor, bool *is_measured)
 {
     static struct doctor_names monitors;
     char line[64], path[OPTIONS_PATH_MAX + 64u];
     doctor_line(doctor, line, sizeof line, GET_THROTTLED);
+    *is_measured = line[0] != '\0';
     uint32_t bits = (uint32_t)strtoul(line, NULL, 16);
     doctor_list(doctor, "/sys/class/hwmon", "hwmon", &monitors);
     for (uint32_t i = 0; i < monitors.count; i++) {
@@ -47,13 +49,15 @@ static uint32_t throttle_bits(const struct doctor *doctor)
             doctor_line(doctor, line, sizeof line, "/sys/class/hwmon/%.64s/in0_lcrit_alarm",
                         monitors.name[i]);
             bits |= strcmp(line, "1") == 0 ? UNDER_VOLTAGE : 0u;
+            *is_measured = true;
         }
     }
     snprintf(path, sizeof path, "%s" THERMAL_ROOT, doctor->root);
     return bits | (thermal_read(path) <= 0 ? SOFT_TEMPERATURE_LIMIT : 0u);
 }
 
-static void check_power(struct doctor *doctor, uint32_t bits, bool was_seen_in_log)
+static void check_power(struct doctor *doctor, uint32_t bits, bool is_measured,
+                        bool was_seen_in_log)
 {
     const bool is_low = (bits & UNDER_VOLTAGE) != 0;
     const bool was_low = (bits >> PAST_SHIFT & UNDER_VOLTAGE) != 0 || was_seen_in_log;
@@ -65,7 +69,10 @@ static void check_power(struct doctor *doctor, uint32_t bits, bool was_seen_in_l
     doctor_state(finding, "the voltage %s",
                  is_low    ? "is too low now (under-voltage)"
                  : was_low ? "was too low since the start (under-voltage)"
-                           : "is high enough");
+                 : is_measured
+                     ? "is high enough"
+                     : "is unknown to this kernel; a flash of lightning on the screen means that "
+                       "the voltage is too low");
     if (is_low || was_low) {
         doctor_todo(finding, "use the supply of Raspberry Pi for this model and a short cable, and "
                              "feed lamps and the ticket dispenser from another supply");
@@ -259,9 +266,10 @@ void doctor_board(struct doctor *doctor)
     check_cards(doctor, &log);
     doctor_line(doctor, model, sizeof model, "/proc/device-tree/model");
     if (strstr(model, "Raspberry Pi")) {
-        const uint32_t bits = throttle_bits(doctor);
+        bool is_measured;
+        const uint32_t bits = throttle_bits(doctor, &is_measured);
         doctor_state(doctor_find(doctor, "board", DOCTOR_FINE, "model"), "%s", model);
-        check_power(doctor, bits, log.had_under_voltage);
+        check_power(doctor, bits, is_measured, log.had_under_voltage);
         check_heat(doctor, bits);
         check_socket(doctor);
         check_overlay(doctor);

@@ -1,19 +1,22 @@
-# disk.sh -- a machine with the disk of `make image BOARD=vm`. Source this file with BUILD and a
-# name. BUILD/vm/NAME has the logs (run/) and the pictures (shots/).
+# disk.sh -- a machine with the disk of `make image BOARD=vm`, or with the card of BOARD=$CARD. Source
+# this file with BUILD and a name. BUILD/vm/NAME has the logs (run/) and the pictures (shots/).
 # The disk contains no test files. Test files come in a second initramfs, whose program runs before
 # the disk's own init (guest/rdinit), and through a shared folder.
 # shellcheck shell=bash disable=SC2154,SC1091,SC2034,SC2054  # the sourcing scripts use these variables; QEMU needs the commas
-GUEST=bookworm
+CARD=${CARD:-} GUEST=${CARD:+card}
+GUEST=${GUEST:-bookworm}
 . "$(dirname "${BASH_SOURCE[0]}")/../lib.sh"
 modules_cache=$cache
 shaders=$modules_cache/image-mesa # Shaders that an earlier machine compiled.
 cache=$BUILD/vm/${1:?a name}
 mkdir -p "$cache"
 cache=$(cd "$cache" && pwd)
-image=$(cd "$BUILD/image/vm" && pwd)
+image=$(cd "$BUILD/image/${CARD:-vm}" && pwd)
 . "$here/qemu.sh"
 . "$here/results.sh"
-processors=2
+processors=2 test_words=''
+programs=$BUILD busybox=$modules_cache/busybox kernel_image=$modules_cache/kernel/image image_initrd=$image/initrd.zst
+image_words=$image/kernel_words
 width=160 height=120 # A picture of this size is drawn several times a second.
 disk=$run/disk.img initrd=$cache/initrd.zst
 test_modules='virtio_pci virtio_blk squashfs 9p 9pnet_virtio configfs gpio-sim dummy_hcd libcomposite usb_f_hid usb_f_mass_storage
@@ -26,14 +29,14 @@ make_test_initrd() {
     rm -rf "$folder"
     mkdir -p "$folder"/{bin,usr/lib/modules/"$release"}
     ln -s usr/lib "$folder/lib"
-    cp "$modules_cache/busybox" "$folder/bin/busybox"
+    cp "$busybox" "$folder/bin/busybox"
     install "$here/image/guest/rdinit" "$folder/rdinit"
     echo "$test_modules" >"$folder/test_modules"
     echo 'dummy_hcd num=2 is_high_speed=1' >"$folder/test_options"
     cp "$modules_cache/kernel/lib/modules/$release"/modules.{builtin,builtin.modinfo,order} "$folder/lib/modules/$release/"
-    copy_modules "$modules_cache/kernel" "$release" "$folder" "$test_modules"
+    copy_modules "$modules_cache/kernel" "$release" "$folder" "$test_modules $(card_modules)"
     {
-        zstd -dc "$image/initrd.zst"
+        zstd -dc "$image_initrd"
         (cd "$folder" && find . | cpio -o -H newc --quiet)
     } | zstd -q -f -3 -o "$initrd"
     rm -rf "$folder"
@@ -43,12 +46,16 @@ make_share() { # SCRIPT of guest/ that the guest runs
     rm -rf "$run" "$shots"
     mkdir -p "$share"/{bin,guest,out,shots,units} "$shots"
     cp -r "$here/image/guest/units/." "$share/units/"
+    if [ -n "$CARD" ]; then
+        cp -r "$here/board/units/." "$share/units/"
+        cp -r "$here/board/system.conf.d" "$share/"
+    fi
     cp "$here"/guest/{lib,cabinet,poi}.sh "$here"/image/guest/*.sh "$share/guest/"
     printf '[game]\nround = 10\n' >"$share/kingyo.conf"
     echo "$1" >"$share/script"
     chmod 777 "$share/out"
-    cp "$BUILD/kingyo-poi" "$BUILD"/tests/vm/{panel,as,image/hold} "$top/board/poi-gadget/kingyo-poi-gadget" "$share/bin/"
-    cp "$modules_cache/busybox" "$share/bin/busybox"
+    cp "$programs/kingyo-poi" "$programs"/tests/vm/{panel,as,image/hold} "$top/board/poi-gadget/kingyo-poi-gadget" "$share/bin/"
+    cp "$busybox" "$share/bin/busybox"
     for tool in pidof killall; do ln -s busybox "$share/bin/$tool"; done
     [ ! -d "$shaders" ] || cp -r "$shaders" "$share/mesa"
 }
@@ -57,9 +64,10 @@ keep_shaders() { # Keeps the compiled shaders for the next machine.
     [ ! -d "$share/out/mesa" ] || { rm -rf "$shaders"; mv "$share/out/mesa" "$shaders"; }
 }
 
-# Copies the unchanged disk of the image.
+# Copies the unchanged disk of the image. A card is larger than its image.
 fresh_disk() {
     cp --sparse=always "$image/kingyo.img" "$disk"
+    [ -z "$CARD" ] || truncate -s 2G "$disk"
 }
 
 disk_words() { # plug.sh overrides this function.
@@ -67,12 +75,20 @@ disk_words() { # plug.sh overrides this function.
     echo "file=$disk,format=raw,if=virtio"
 }
 
+card_modules() { :; } # board/card.sh overrides this function.
+
+machine_words() { # board/virt.sh overrides this function.
+    printf '%s\n' -machine q35 -cpu qemu64,+ssse3,+sse4.1,+sse4.2,+popcnt
+}
+
 qemu_words() { # The machine has 2 processors and 1 GiB, as in tests/vm/qemu.sh.
-    printf '%s\n' -nodefaults -no-user-config -display none -smp "$processors" -m 1024 -machine q35 \
-        -cpu qemu64,+ssse3,+sse4.1,+sse4.2,+popcnt -kernel "$modules_cache/kernel/image" -initrd "$initrd" \
-        -append "$(cat "$image/kernel_words") rdinit=/rdinit loglevel=4 mitigations=off" \
+    machine_words
+    printf '%s\n' -nodefaults -no-user-config -display none -smp "$processors" -m 1024 \
+        -kernel "$kernel_image" -initrd "$initrd" \
+        -append "$(cat "$image_words") $test_words rdinit=/rdinit loglevel=4 mitigations=off" \
         -fsdev "local,id=host,path=$share,security_model=none" -device virtio-9p-pci,fsdev=host,mount_tag=host \
         -device "virtio-gpu-pci,xres=$width,yres=$height,edid=off" -device i6300esb -action watchdog=reset -no-reboot \
         -serial "file:$run/console" -qmp "pipe:$run/qmp" -accel tcg,thread=multi,tb-size=512
     disk_words
 }
+[ -z "$CARD" ] || . "$here/board/virt.sh"

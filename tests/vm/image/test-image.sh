@@ -1,12 +1,12 @@
 #!/bin/bash
 # test-image.sh -- boots the unchanged disk of `make image BOARD=vm`, drives the kiosk from outside
-# and checks the results.
+# and checks the results. CARD=rpi4 boots the card of that board in QEMU's machine `virt`.
 # PARTS ("round screen hostile ends") selects the parts. Checks of other parts are printed as not
 # run. Logs and pictures are in BUILD/vm/image. Exit code 0 if every line of checks.txt passed,
 # otherwise 1.
 # shellcheck disable=SC2154,SC1091,SC2034  # the sourced files set and use these variables
 export BUILD=${BUILD:-build}
-. "$(dirname "$0")/disk.sh" image
+. "$(dirname "$0")/disk.sh" "${CARD:-image}"
 limit_s=${VM_SECONDS:-900}
 writer_pid=''
 
@@ -95,5 +95,5 @@ keep_shaders
 check_tank attract picture
 [ ! -f "$shots/again.png" ] || check_tank again screen-in
 check_logs
-table "$checks" "the disk of make image BOARD=vm" | tee "$cache/table.txt"
+table "$checks" "the disk of make image BOARD=${CARD:-vm}" | tee "$cache/table.txt"
 exit "${PIPESTATUS[0]}"

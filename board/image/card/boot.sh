@@ -1,0 +1,98 @@
+#!/bin/bash
+# boot.sh BOARD -- makes the boot partition of a Raspberry Pi: firmware, kernel, initramfs, device trees.
+#
+# The firmware reads config.txt, loads kernel and initramfs, and selects the device tree of the board. Debian's kernel
+# cannot apply overlays, and Debian's firmware package has none of ours. Therefore the overlays are applied here.
+# shellcheck disable=SC2154,SC1091,SC2115  # lib.sh sets them
+. "$(dirname "$0")/../lib.sh"
+. "$here/card/lib.sh"
+
+release=$(cat "$kernel_root/release")
+# The root partition is read-only, and a crashed kernel restarts after 5 s. fsck answers its own questions with yes.
+words="quiet fsck.repair=yes loglevel=3 panic=5 oops=panic systemd.getty_auto=0 systemd.gpt_auto=0 vt.global_cursor_default=0 $kernel_words"
+
+# Makes the initramfs the whole system of a poi: its program, its script and its default settings.
+install_poi() { # FOLDER
+    install "$top/board/$board/init" "$1/init"
+    install "$BUILD/cross/$arch/root/kingyo/build/kingyo-poi" "$top/board/poi-gadget/kingyo-poi-gadget" "$1/bin/"
+    install -D -m 644 "$top"/board/poi-gadget/{poi,gadget}.conf -t "$1/etc/kingyo-poi/"
+}
+
+make_initrd() {
+    local image=$IMAGE/initrd
+    rm -rf "$image"
+    mkdir -p "$image/bin"
+    cp "$kernel_root/usr/bin/busybox" "$image/bin/busybox"
+    if [ "$layout" = initramfs ]; then
+        install_poi "$image"
+    else
+        install "$here/card/initramfs" "$image/init"
+    fi
+    echo "$boot_modules" >"$image/boot_modules"
+    echo "$disk_id" >"$image/disk_id"
+    install_modules "$image" "$boot_modules"
+    find "$image" -exec touch -h -d "@$made_s" {} +
+    (cd "$image" && find . | LC_ALL=C sort | cpio -o -H newc --quiet --reproducible -R 0:0) | zstd -q -f -9 -o "$IMAGE/initrd.zst"
+    rm -rf "$image"
+}
+
+# Prints config.txt. The file names nothing that is not on the card.
+raspi_config() {
+    cat <<END
+# config.txt -- settings of the firmware, made by \`make image BOARD=$board\`.
+arm_64bit=1
+upstream_kernel=1
+kernel=linux
+initramfs initrd followkernel
+disable_overscan=1
+disable_splash=1
+END
+    # The pins from power on are those of the board's page.
+    [ ! -f "$top/board/$board/config.txt" ] || sed -n '/^# State of the pins/,/^gpio=16/p' "$top/board/$board/config.txt"
+}
+
+# Writes the device tree of each board, with the overlays. Labels that the overlays expect and the tree lacks are added.
+raspi_device_trees() { # FOLDER
+    local name from label overlay
+    local -a compiled=()
+    from=$(echo "$kernel_root"/usr/lib/linux-image-*/broadcom)
+    for overlay in $overlays; do
+        compiled+=("$IMAGE/overlay-${#compiled[@]}")
+        dtc -q -@ -I dts -O dtb -o "${compiled[-1]}" "$top/board/$overlay"
+    done
+    for name in $dtbs; do
+        cp "$from/$name.dtb" "$IMAGE/tree"
+        for label in ${symbols:-}; do
+            fdtput "$IMAGE/tree" /__symbols__ "${label%%=*}" -ts "${label#*=}"
+        done
+        fdtoverlay -i "$IMAGE/tree" -o "$1/$name.dtb" "${compiled[@]}"
+    done
+    rm "$IMAGE/tree" "${compiled[@]}"
+}
+
+make_boot() {
+    local fat=$IMAGE/boot.fat folder=$IMAGE/boot firmware=$kernel_root/usr/lib/raspi-firmware file
+    rm -rf "$fat" "$folder"
+    mkdir "$folder"
+    cp "$firmware"/{bootcode.bin,start.elf,fixup.dat,start4.elf,fixup4.dat} "$folder/"
+    cp "$kernel_root/usr/share/doc/raspi-firmware/copyright" "$folder/LICENCE.txt"
+    cp "$kernel_root/boot/vmlinuz-$release" "$folder/linux"
+    cp "$IMAGE/initrd.zst" "$folder/initrd"
+    raspi_device_trees "$folder"
+    for file in ${boot_files:-}; do
+        cp "$top/board/$file" "$folder/"
+    done
+    raspi_config >"$folder/config.txt"
+    echo "$words" >"$folder/cmdline.txt"
+    find "$folder" -exec touch -h -d "@$made_s" {} +
+    truncate -s "${boot_size}M" "$fat"
+    mkfs.vfat -F 32 -n KINGYO -i "$disk_id" --invariant "$fat" >/dev/null
+    for file in "$folder"/*; do # The shell sorts the names, so two partitions have the same order.
+        TZ=UTC mcopy -m -i "$fat" "$file" ::/
+    done
+    rm -rf "$folder"
+}
+
+step "the kernel: $release"
+make_initrd
+make_boot

@@ -1,0 +1,33 @@
+#!/bin/bash
+# test-board.sh -- runs the tests of the card of `make image BOARD=rpi4` that MACHINES names:
+#   parts    each part of each board has a driver on the card (parts.py)
+#   raspi3b  QEMU's Raspberry Pi 3 starts the card (raspi3b.sh)
+#   virt     QEMU's machine `virt` starts the card: a round, kill -9, a hang (image/test-image.sh)
+#   poi      QEMU's machine `virt` starts the card of a poi (poi.sh); needs `make image BOARD=poi`
+# board/rpi4/README.md lists what each of them covers. Exit code 0: all passed.
+set -u
+export BUILD=${BUILD:-build}
+here=$(dirname "$0")
+cards=$BUILD/image/rpi4 cache=$BUILD/image/trixie-arm64
+failed=0
+
+parts() {
+    local folder
+    folder=$(mktemp -d)
+    mcopy -s -i "$cards/kingyo.img@@4M" '::*.dtb' "$folder/" && unsquashfs -l "$cards/root.sqfs" >"$folder/list" &&
+        "$here/parts.py" "$cache/kernel" "$folder" "$folder/list" "$here/left_out.txt"
+    local code=$?
+    rm -r "$folder"
+    return $code
+}
+
+for machine in ${MACHINES:-parts raspi3b virt poi}; do
+    case $machine in
+        parts) parts ;;
+        raspi3b) "$here/modules.sh" && "$here/raspi3b.sh" ;;
+        virt) "$here/modules.sh" && CARD=rpi4 PARTS=${PARTS-round ends} VM_SECONDS=${VM_SECONDS:-7200} "$here/../image/test-image.sh" ;;
+        poi) "$here/modules.sh" && "$here/poi.sh" ;;
+        *) echo "test-board: there is no machine '$machine'" >&2; exit 2 ;;
+    esac || { echo "test-board: $machine failed" >&2; failed=1; }
+done
+exit $failed
