@@ -125,6 +125,25 @@ static void show_sheet(const struct sheet *sheet, struct scene_poi *out)
     spread_to_rim(sheet, out->stress);
 }
 
+/* Distance of a player from the wall of the tank, in m. */
+#define PLAYER_AWAY_M 0.40f
+
+/* Returns the rotation of the drawn handle of a bot about the axis of the ring, in rad, so that the
+ * handle points to the place of the player. The players 0 and 1 stand at the near side of the tank,
+ * and the players 2 and 3 at the ends of the tank. */
+static float bot_handle_rad(const struct world *world, uint32_t index)
+{
+    const struct poi *const poi = &world->poi[index];
+    const vec3 bowl_m = tank_preset(world->tank.preset)->bowl_m[index];
+    const vec3 half_m = v3_scale(world->tank.size_m, 0.5f);
+    const float side = bowl_m.x < 0.0f ? -1.0f : 1.0f;
+    const vec3 place_m = index < 2u ? v3(bowl_m.x, 0.0f, half_m.z + PLAYER_AWAY_M)
+                                    : v3(side * (half_m.x + PLAYER_AWAY_M), 0.0f, bowl_m.z);
+    const struct basis axes = vec_basis_from_angles(poi->angles);
+    const vec3 way = vec_basis_to_body(&axes, v3_sub(place_m, poi->position_m));
+    return f_atan2(way.x, way.z);
+}
+
 static void show_poi(const struct core *core, uint32_t index, struct scene_poi *out)
 {
     CORE_ASSERT(index < POI_MAX);
@@ -136,6 +155,7 @@ static void show_poi(const struct core *core, uint32_t index, struct scene_poi *
     }
     out->position_m = poi->position_m;
     out->angles = poi->angles;
+    out->handle_rad = poi->link == POI_SOURCE_BOT ? bot_handle_rad(&core->world, index) : 0.0f;
     out->ring_radius_m = poi_radius_m(poi);
     /* Paper that is about to tear is stretched and sags deeper. */
     out->warning = sheet_warning(&poi->sheet);
@@ -296,7 +316,8 @@ void core_scene(const struct core *core, struct scene *scene)
     CORE_ASSERT(tank->fish_count <= SCENE_FISH_MAX);
     const struct tank_preset *preset = tank_preset(tank->preset);
     scene->tick = core->game.tick;
-    scene->view = preset->view;
+    scene->view = tank_preset_view(preset, false);
+    scene->turned_view = tank_preset_view(preset, true);
     scene->tank_size_m = tank->size_m;
     scene->wall_height_m = tank->wall_height_m;
     scene->fish_count = tank->fish_count;

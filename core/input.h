@@ -188,6 +188,9 @@ struct input {
     uint8_t edit_refused;
     /* 1 if the screen is in portrait format, narrower than POINTER_UPRIGHT_ASPECT; otherwise 0. */
     uint8_t upright;
+    /* 1 if the picture shows the tank from its short side (core/view.h), otherwise 0. The poses are
+     * in the axes of the world in both cases. */
+    uint8_t is_turned;
     struct controller_status controllers; /* State of the controllers for the operator's menu. */
     struct poi_input poi[POI_MAX];
     struct shade_input shade[SHADE_MAX];

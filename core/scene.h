@@ -91,6 +91,9 @@ struct scene_poi {
     uint8_t owner;   /* Player index; selects the ring's colour. */
     vec3 position_m; /* Position of the ring's centre. */
     struct angles angles;
+    /* Rotation of the drawn handle about the axis of the ring, in rad. The handle of a bot points
+     * to the bot's place at the tank. 0 for the poi of a player, whose handle follows `angles`. */
+    float handle_rad;
     float ring_radius_m; /* Inner radius of the ring, at the paper's edge. */
     /* Depth of the sagging paper below the ring's plane; a negative value means that the paper
      * bulges upward. */
@@ -111,6 +114,16 @@ struct scene_poi {
      * that the cell tears immediately; 0 means no paper. */
     uint8_t stress[SHEET_SIDE * SHEET_SIDE];
 };
+
+/* Returns the axes of the drawn handle of a poi. The handle extends along `back`. */
+static inline struct basis scene_handle_axes(const struct scene_poi *poi)
+{
+    const struct basis axes = vec_basis_from_angles(poi->angles);
+    const float c = f_cos(poi->handle_rad), s = f_sin(poi->handle_rad);
+    return (struct basis){ .right = v3_sub(v3_scale(axes.right, c), v3_scale(axes.back, s)),
+                           .up = axes.up,
+                           .back = v3_add(v3_scale(axes.back, c), v3_scale(axes.right, s)) };
+}
 
 struct scene_bowl {
     uint8_t present;
@@ -289,7 +302,10 @@ enum scene_playback {
 
 struct scene {
     uint32_t tick;
-    struct view view;
+    /* Camera in the axes of the world. core_scene() sets `view` to the camera for wide screens and
+     * `turned_view` to the camera on the short side of the tank. The frame loop copies
+     * `turned_view` to `view` if the screen is in portrait format. */
+    struct view view, turned_view;
     vec3 tank_size_m;    /* Inner width (x), water depth (y) and breadth (z) of the tank. */
     float wall_height_m; /* Height from floor to rim, greater than the water depth. */
 

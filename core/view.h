@@ -4,6 +4,9 @@
  * the tank with the camera, and pointer devices find the point of the water under the pointer. */
 #pragma once
 
+#include <stdbool.h>
+
+#include "core/base/fmath.h"
 #include "core/base/vec.h"
 
 struct view {
@@ -17,6 +20,26 @@ struct view {
      * still visible. */
     float aspect_min;
 };
+
+/* A tank is shown from its short side on a portrait screen. The player then stands at the right end
+ * of the tank (+x), so that the player's axes differ from the axes of the world by a quarter turn:
+ * the player's right is -z, and the direction toward the player is +x. Controllers and their
+ * drivers always use the player's axes. The core uses the axes of the world. */
+
+/* Converts a vector from the player's axes to the axes of the world. */
+static inline vec3 view_to_world(bool is_turned, vec3 v)
+{
+    return is_turned ? v3(v.z, v.y, 0.0f - v.x) : v;
+}
+
+/* Converts a vector from the axes of the world to the player's axes. */
+static inline vec3 view_from_world(bool is_turned, vec3 v)
+{
+    return is_turned ? v3(0.0f - v.z, v.y, v.x) : v;
+}
+
+/* Yaw in rad that a pose has in the world if its yaw is 0 in the player's axes. */
+#define VIEW_TURN_RAD (90.0f * F_DEG)
 
 /* Returns the axes of the camera. The axis `back` points from the target to the eye. */
 struct basis view_basis(const struct view *view);

@@ -15,10 +15,11 @@ layout(std140) uniform Frame {
     vec4 shadow;     // xy: factors from world x, z to the shadow map's -1 .. 1. zw: sideways drift
                      // of a shadow in m per m of height.
     vec4 bend;       // Columns of a matrix: shift of the refracted picture, as a fraction of the
-                     // picture, per unit of surface slope in x and in z.
-    vec4 shade_map;  // xy: factors from world x, z to the shade map's -0.5 .. 0.5.
+                      // picture, per unit of surface slope in x and in z.
+    vec4 shade_map;  // xy: factors from world x, z to the shade map's -0.5 .. 0.5. zw: world x, z of
+                     // the camera's right.
     vec4 crop;       // Factors (xy) from a pixel of the screen, and offsets (zw), to a place in the
-                     // pictures of the objects below the water.
+                      // pictures of the objects below the water.
 };
 
 // Fractions of light that circular shades absorb, seen from above (shade.frag.glsl). r, g: fans
@@ -33,6 +34,18 @@ const vec3 LAMP_DIRECTION = vec3(0.251, 0.955, 0.151); // Direction from any poi
 const vec3 WHITE = vec3(1.0, 0.955, 0.90);             // Skin colour of a goldfish where the skin
                                                        // is not red, as in fish_colours.c.
 const float CAUSTIC_TILES = 3.6;                       // Number of caustics tiles per metre.
+
+// Converts world x, z to the player's axes: to the right, and toward the player (core/view.h).
+vec2 from_world(vec2 at)
+{
+    return vec2(dot(at, shade_map.zw), dot(at, vec2(-shade_map.w, shade_map.z)));
+}
+
+// Converts the player's axes to world x, z.
+vec2 to_world(vec2 at)
+{
+    return at.x * shade_map.zw + at.y * vec2(-shade_map.w, shade_map.z);
+}
 
 // Returns the fraction of light that remains after `path_m` metres of water. Water absorbs red the
 // most, but never completely.

@@ -2,7 +2,7 @@
 // only its own part: COUNTER for the counter, RIM for the top of the rim, and neither for the sides
 // of the rim. The picture is kept while the camera rests. KEPT draws the kept picture, and SHADED
 // adds the shades of the fans.
-in vec3 world;
+in vec3 world; // Position in the player's axes. KEPT: position in the world.
 in vec3 face;
 uniform sampler2D wood;
 out vec4 color;
@@ -31,7 +31,7 @@ void main()
 #elif defined(COUNTER)
 void main()
 {
-    vec2 past = abs(world.xz) - tank.xz - RIM_M;
+    vec2 past = abs(world.xz) - abs(from_world(tank.xz)) - RIM_M;
     float contact = smoothstep(0.0, 0.055, max(past.x, past.y));
     float t = grain(world.xz * vec2(2.2, 6.2));
     vec3 tint = mix(vec3(0.075, 0.042, 0.030), vec3(0.33, 0.20, 0.12), t);
@@ -47,7 +47,7 @@ void main()
 void main()
 {
     // The grain runs along each plank. At the corners two planks meet in a mitre.
-    vec2 past = max(abs(world.xz) - tank.xz, 0.0);
+    vec2 past = max(abs(world.xz) - abs(from_world(tank.xz)), 0.0);
     bool across = past.x > past.y;
     vec2 along = across ? world.zx : world.xz;
     float t = grain(vec2(along.x * 1.5, along.y * 7.0 + (across ? 0.37 : 0.0)));

@@ -4,7 +4,7 @@ layout(location = 0) in vec3 corner;   // x, z: +-1 at the tank's wall, +-2 at t
                                        // +-3 far away. y: 0 at the water, 1 at the rim's top, -1 at
                                        // the counter.
 layout(location = 1) in vec3 normal;
-out vec3 world;
+out vec3 world; // Position in the player's axes (from_world()). KEPT: position in the world.
 out vec3 face;
 
 const float RIM_M = 0.032;
@@ -19,8 +19,13 @@ float step_out(float corner_step, float half_size)
 
 void main()
 {
-    world = vec3(step_out(corner.x, tank.x), 0.0, step_out(corner.z, tank.z));
+    vec2 size = abs(from_world(tank.xz));
+    world = vec3(step_out(corner.x, size.x), 0.0, step_out(corner.z, size.y));
     world.y = corner.y > 0.5 ? tank.w : corner.y < -0.5 ? -0.012 : -0.02;
     face = normal;
-    gl_Position = view_projection * vec4(world, 1.0);
+    vec3 place = vec3(to_world(world.xz), world.y).xzy;
+#ifdef KEPT
+    world = place;
+#endif
+    gl_Position = view_projection * vec4(place, 1.0);
 }

@@ -22,7 +22,9 @@ void main()
     // The lanterns are only about two metres away, so that their reflections move with the position
     // on the water. Only light sources are drawn as reflections, because only they are visible on
     // lit water. A light source is far brighter than the maximum of a texel.
-    vec3 toward = mirror + world * 0.55;
+    // The lanterns are in front of the player, who may stand at the short side of the tank.
+    mirror.xz = from_world(mirror.xz);
+    vec3 toward = mirror + vec3(from_world(world.xz), world.y).xzy * 0.55;
     float lantern = texture(environment, toward.xz / (length(toward) + toward.y) * 0.5 + 0.5).r;
     lantern = max(lantern - 0.42, 0.0);
     float glint = max(dot(mirror, vec3(0.100, 0.619, -0.779)), 0.0);

@@ -29,7 +29,7 @@ bool pointer_is_inside(struct layout_box box, float room, struct layout_point at
 /* Returns the canvas point at which the camera shows `point_m`. On a screen of aspect ratio
  * `aspect_min` or more, `half_height_tan` is the tangent of half the vertical angle of view. On a
  * narrower screen, aspect_min * half_height_tan is the tangent of half the horizontal angle of
- * view. */
+ * view. Recordings of older versions show the camera for wide screens on the portrait canvas. */
 struct layout_point pointer_project(const struct view *view, bool upright, vec3 point_m)
 {
     CORE_ASSERT(view->half_height_tan > 0.0f && view->aspect_min > 0.0f);
@@ -55,12 +55,15 @@ struct pointer_state pointer_of_player(const struct world *world, const struct i
     if (reported->link != POI_SOURCE_LIVE || !input_pose_is_finite(&reported->target)) {
         return (struct pointer_state){ 0 };
     }
-    const vec3 hand_m = reported->target.position_m, tank_m = world->tank.size_m;
+    const bool is_turned = input->is_turned != 0;
+    const struct tank_preset *const preset = tank_preset(world->tank.preset);
+    const vec3 hand_m = view_from_world(is_turned, reported->target.position_m);
+    const vec3 tank_m = view_from_world(is_turned, world->tank.size_m);
     const struct layout_point canvas = pointer_layout_size(upright);
-    struct layout_point at = { canvas.x * (0.5f + hand_m.x / tank_m.x),
-                               canvas.y * (0.5f + hand_m.z / tank_m.z) };
+    struct layout_point at = { canvas.x * (0.5f + hand_m.x / f_abs(tank_m.x)),
+                               canvas.y * (0.5f + hand_m.z / f_abs(tank_m.z)) };
     if (!reported->has_wrist) {
-        at = pointer_project(&tank_preset(world->tank.preset)->view, upright, hand_m);
+        at = pointer_project(is_turned ? &preset->turned_view : &preset->view, upright, hand_m);
     }
     return (struct pointer_state){
         .present = 1,

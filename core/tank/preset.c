@@ -12,6 +12,10 @@
 
 #define UNBOUND 1e9f
 
+/* Aspect ratio of the portrait canvas (core/game/pointer_mapping.h), so that the canvas and the
+ * camera have the same scale on every portrait screen. */
+#define TURNED_ASPECT (854.0f / 1400.0f)
+
 /* Behavior parameters that all presets have in common. Lengths are in body lengths of the fish in
  * the 2013 thesis on goldfish behavior, which are 5 cm long. Section numbers are those of the 2013
  * thesis.
@@ -105,6 +109,12 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
             .half_height_tan = 0.247f,
             .aspect_min = 16.0f / 9.0f,
         },
+        .turned_view = {
+            .eye_m = { 0.0f, 1.40f, 0.70f },
+            .target_m = { 0.0f, -0.02f, 0.035f },
+            .half_height_tan = 0.365f,
+            .aspect_min = TURNED_ASPECT,
+        },
     },
     [TANK_PRESET_THESIS] = {
         .name = "thesis",
@@ -133,6 +143,12 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
             .target_m = { 0.0f, -0.02f, 0.008f },
             .half_height_tan = 0.258f,
             .aspect_min = 16.0f / 9.0f,
+        },
+        .turned_view = {
+            .eye_m = { 0.0f, 1.95f, 0.60f },
+            .target_m = { 0.0f, -0.02f, 0.02f },
+            .half_height_tan = 0.40f,
+            .aspect_min = TURNED_ASPECT,
         },
     },
     [TANK_PRESET_OFFICIAL] = {
@@ -164,6 +180,12 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
             .half_height_tan = 0.274f,
             .aspect_min = 16.0f / 9.0f,
         },
+        .turned_view = {
+            .eye_m = { 0.0f, 1.95f, 0.60f },
+            .target_m = { 0.0f, -0.02f, 0.02f },
+            .half_height_tan = 0.42f,
+            .aspect_min = TURNED_ASPECT,
+        },
     },
 };
 
@@ -171,6 +193,14 @@ const struct tank_preset *tank_preset(uint8_t id)
 {
     CORE_ASSERT(id < TANK_PRESET_COUNT);
     return &presets[id];
+}
+
+struct view tank_preset_view(const struct tank_preset *preset, bool is_turned)
+{
+    struct view view = is_turned ? preset->turned_view : preset->view;
+    view.eye_m = view_to_world(is_turned, view.eye_m);
+    view.target_m = view_to_world(is_turned, view.target_m);
+    return view;
 }
 
 float tank_preset_age_days(const struct tank_preset *preset, float draw)

@@ -50,11 +50,17 @@ struct tank_preset {
     /* True if the air pump runs, so that the air stone in the tank bubbles. */
     bool pump;
     struct behavior_params params;
-    struct view view;
+    /* Camera for wide screens (`view`), and camera on the short side of the tank for portrait
+     * screens (`turned_view`). Both are in the player's axes (core/view.h). */
+    struct view view, turned_view;
 };
 
 /* Returns the preset `id`, which must be less than TANK_PRESET_COUNT. */
 const struct tank_preset *tank_preset(uint8_t id);
+
+/* Returns the camera of a preset in the axes of the world. `is_turned` selects the camera on the
+ * short side of the tank. */
+struct view tank_preset_view(const struct tank_preset *preset, bool is_turned);
 
 /* Returns the age of a fish in days. `draw` is a random number in [0, 1). */
 float tank_preset_age_days(const struct tank_preset *preset, float draw);

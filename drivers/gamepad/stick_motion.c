@@ -20,7 +20,6 @@
 /* Largest distance of the poi from the middle of the image. The unit is half of the image's width
  * horizontally, and half of the image's height vertically. */
 #define SEEN 0.94f
-#define VIEW_ASPECT (16.0f / 9.0f)
 
 /* The LEVEL button returns the ring to the hover height. Within this distance from the hover
  * height, the ring slows down. */
@@ -57,9 +56,10 @@ void stick_motion_set_view(struct stick_motion *fly, const struct view *view)
     static const float heights_m[2] = { STICK_MOTION_LOW_M, STICK_MOTION_HIGH_M };
     fly->view = *view;
     for (uint32_t i = 0; i < 2; i++) {
-        const vec3 right = view_point_on_plane(view, VIEW_ASPECT, SEEN, 0.0f, heights_m[i]);
-        const vec3 far = view_point_on_plane(view, VIEW_ASPECT, 0.0f, SEEN, heights_m[i]);
-        const vec3 near = view_point_on_plane(view, VIEW_ASPECT, 0.0f, -SEEN, heights_m[i]);
+        const float aspect = view->aspect_min;
+        const vec3 right = view_point_on_plane(view, aspect, SEEN, 0.0f, heights_m[i]);
+        const vec3 far = view_point_on_plane(view, aspect, 0.0f, SEEN, heights_m[i]);
+        const vec3 near = view_point_on_plane(view, aspect, 0.0f, -SEEN, heights_m[i]);
         fly->low_m[i] = v3(-f_abs(right.x), STICK_MOTION_LOW_M, f_min(far.z, near.z));
         fly->high_m[i] = v3(f_abs(right.x), STICK_MOTION_HIGH_M, f_max(far.z, near.z));
     }

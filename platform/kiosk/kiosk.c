@@ -42,14 +42,20 @@ static void present_view(struct kiosk *kiosk, const struct hal *hal)
         output_dimmer_step(&kiosk->dimmer, &kiosk->core.config.persistent.settings, &kiosk->input,
                            kiosk->output.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
     const uint8_t phase = kiosk->output.phase;
+    const bool is_turned = kiosk->input.is_turned != 0;
+    struct view view = is_turned ? kiosk->scene.turned_view : kiosk->scene.view;
+    kiosk->scene.view = view;
+    /* Devices use the player's axes. */
+    view.eye_m = view_from_world(is_turned, view.eye_m);
+    view.target_m = view_from_world(is_turned, view.target_m);
     const bool scoops = phase == PHASE_READY || phase == PHASE_ROUND;
     if (kiosk->scoops == scoops &&
         memcmp(&kiosk->display_settings, &display_settings, sizeof display_settings) == 0 &&
-        memcmp(&kiosk->view, &kiosk->scene.view, sizeof kiosk->view) == 0) {
+        memcmp(&kiosk->view, &view, sizeof kiosk->view) == 0) {
         return;
     }
     kiosk->scoops = scoops;
-    kiosk->view = kiosk->scene.view;
+    kiosk->view = view;
     kiosk->display_settings = display_settings;
     hal->display.ops->set_transform(hal->display.self, &display_settings);
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -132,7 +138,7 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
      * keyboard are read. */
     struct display_events events = { 0 };
     if (hal->display.ops->poll(hal->display.self, &events) == HAL_OK) {
-        input->upright = events.upright;
+        input->upright = input->is_turned = events.upright;
     }
     if (events.quit || events.lost) {
         kiosk->end = events.lost ? KIOSK_DISPLAY_LOST : KIOSK_QUIT;
@@ -203,13 +209,22 @@ static bool prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_coun
         return false;
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
+        struct poi_target *const target = &input->poi[i].target;
         sampler_poi_at(&kiosk->samplers[i], index, tick_count, kiosk->sampled_ns, &input->poi[i]);
+        if (input->is_turned) {
+            target->position_m = view_to_world(true, target->position_m);
+            target->angles.yaw_rad += VIEW_TURN_RAD;
+        }
         if (kiosk->config.bot[i]) {
             input->poi[i].link = POI_SOURCE_BOT;
         }
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        input->shade[i] = sampler_fan_at(&kiosk->shades[i], index, tick_count);
+        struct shade_input *const shade = &input->shade[i];
+        *shade = sampler_fan_at(&kiosk->shades[i], index, tick_count);
+        const vec3 at_m = view_to_world(input->is_turned != 0, v3(shade->x_m, 0.0f, shade->z_m));
+        shade->x_m = at_m.x;
+        shade->z_m = at_m.z;
     }
     /* During a score playback, poses and buttons control the playback, and the game gets only
      * coins. The input that ends the playback is not passed to the game. */

@@ -114,7 +114,11 @@ void kiosk_send_results(struct kiosk *kiosk, const struct hal *hal)
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (kiosk->samplers[i].link == POI_SOURCE_LIVE) {
-            const int result = hal->poi[i].ops->set_force(hal->poi[i].self, &kiosk->felt[i]);
+            const bool is_turned = kiosk->input.is_turned != 0;
+            struct poi_force force = kiosk->felt[i];
+            force.force_n = view_from_world(is_turned, force.force_n);
+            force.torque_n_m = view_from_world(is_turned, force.torque_n_m);
+            const int result = hal->poi[i].ops->set_force(hal->poi[i].self, &force);
             kiosk->faults.poi += (uint32_t)hal_is_fault(result);
         }
     }

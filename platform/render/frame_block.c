@@ -218,13 +218,17 @@ void frame_begin(struct frame *frame, const struct scene *scene,
     const float distance = v3_length(v3_sub(view->eye_m, view->target_m));
     const float half_height_m = view_half_height_tan(view, aspect) * distance;
     const float shift_m = REFRACTION * scene->tank_size_m.y;
-    const float bend_x = 0.5f * shift_m / (half_height_m * aspect);
-    const float bend_z = 0.5f * shift_m / half_height_m * v3_dot(axes.up, v3(0.0f, 0.0f, 1.0f));
-    frame_block_set(block->bend, frame->placed[0] * bend_x, frame->placed[1] * bend_x,
-                    frame->placed[2] * bend_z, frame->placed[3] * bend_z);
+    const float across = 0.5f * shift_m / (half_height_m * aspect);
+    const float down = 0.5f * shift_m / half_height_m;
+    const float *const placed = frame->placed;
+    const float x[2] = { across * axes.right.x, down * axes.up.x };
+    const float z[2] = { across * axes.right.z, down * axes.up.z };
+    frame_block_set(block->bend, placed[0] * x[0] + placed[2] * x[1],
+                    placed[1] * x[0] + placed[3] * x[1], placed[0] * z[0] + placed[2] * z[1],
+                    placed[1] * z[0] + placed[3] * z[1]);
     list_shades(&frame->shades, scene);
     frame_block_set(block->shade_map, 1.0f / (size.x + 2.0f * SHADE_MAP_MARGIN_M),
-                    1.0f / (size.z + 2.0f * SHADE_MAP_MARGIN_M), 0.0f, 0.0f);
+                    1.0f / (size.z + 2.0f * SHADE_MAP_MARGIN_M), axes.right.x, axes.right.z);
     frame_block_set(block->eye, scene->view.eye_m.x, scene->view.eye_m.y, scene->view.eye_m.z,
                     seconds);
     frame_block_set(block->tank, 0.5f * size.x, size.y, 0.5f * size.z,

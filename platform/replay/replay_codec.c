@@ -58,7 +58,8 @@ enum {
     LEVEL_UPRIGHT = 1u << 0,
     LEVEL_REFUSED = 1u << 1,
     LEVEL_WELL = 1u << 2,
-    LEVEL_ALL = 7u,
+    LEVEL_TURNED = 1u << 3,
+    LEVEL_ALL = 15u,
 };
 
 enum {
@@ -188,7 +189,8 @@ static uint8_t levels_of(const struct input *input)
 {
     return (uint8_t)((input->upright ? LEVEL_UPRIGHT : 0u) |
                      (input->edit_refused ? LEVEL_REFUSED : 0u) |
-                     (input->store_well ? LEVEL_WELL : 0u));
+                     (input->store_well ? LEVEL_WELL : 0u) |
+                     (input->is_turned ? LEVEL_TURNED : 0u));
 }
 
 static bool walk_machine(struct replay_serializer *walk, const struct input *before,
@@ -210,6 +212,7 @@ static bool walk_machine(struct replay_serializer *walk, const struct input *bef
         input->upright = (levels & LEVEL_UPRIGHT) != 0;
         input->edit_refused = (levels & LEVEL_REFUSED) != 0;
         input->store_well = (levels & LEVEL_WELL) != 0;
+        input->is_turned = (levels & LEVEL_TURNED) != 0;
     }
     walk->bad |= (group.mask & MACHINE_MINUTE) && input->minute >= 24u * 60u && !walk->out;
     return group_end(&group, 0xffu);

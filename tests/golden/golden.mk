@@ -7,8 +7,13 @@ ui-shots: $(BUILD)/tests/golden/ui_shots
 	@mkdir -p out/ui
 	@$< out/ui $(TEXT) $(BACKDROP)
 
-$(BUILD)/tests/golden/ui_shots: $(BUILD)/tests/golden/ui_shots.o $(BUILD)/platform/panic_core.o \
-    $(BUILD)/shell.a $(BUILD)/core.a
+## picture/ui-gallery: Compare every screen with golden pictures; KEEP=1 keeps new ones
+ui-gallery: $(BUILD)/tests/golden/ui_shots
+	@mkdir -p out/gallery
+	@$< out/gallery $(if $(KEEP),--keep,--compare) tests/golden
+
+$(BUILD)/tests/golden/ui_shots: $(BUILD)/tests/golden/ui_shots.o $(BUILD)/tests/golden/golden_sheet.o \
+    $(BUILD)/tests/render/shot_menu.o $(BUILD)/platform/panic_core.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
@@ -27,4 +32,4 @@ lab-shots: $(BUILD)/tests/render/shot
 	    $(ALBUM_SHOT) $$fish --progress 0.9 --size 1080x1920 --en -o out/lab/album-$$fish-upright.png || exit 1; \
 	done
 
-.PHONY: ui-shots lab-shots
+.PHONY: ui-shots ui-gallery lab-shots

@@ -1,12 +1,19 @@
 /* ui_shots.c -- writes pictures of every screen of the user interface for visual review.
  *
  * Usage: build/tests/golden/ui_shots OUT TEXT [BACKDROP.png]
+ *        build/tests/golden/ui_shots OUT --compare GOLDEN
+ *        build/tests/golden/ui_shots OUT --keep GOLDEN
  *
- * The program draws each screen off screen in both languages and in four sizes over a backdrop.
+ * The program draws each screen off screen in both languages and in several sizes over a backdrop.
  * TEXT is the setting SET_TEXT, the size of small texts: 0 (normal) to 2 (largest). The backdrop is
  * the picture BACKDROP.png of the tank, or plain water by default. The pictures are
  * written to OUT/NAME_LANGUAGE_WIDTHxHEIGHT.png. The program also prints the time to draw one
- * screen. */
+ * screen.
+ *
+ * With --compare the program draws every screen and every page of the operator's menu, writes one
+ * contact sheet for each size to OUT/ui-WIDTHxHEIGHT.png, and compares the screens with the golden
+ * sheets in the folder GOLDEN. The exit status is 1 if a screen differs. --keep writes the golden
+ * sheets. */
 #include <GLES3/gl3.h>
 #include <SDL.h>
 #include <stdio.h>
@@ -19,10 +26,14 @@
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
+#include "core/core.h"
 #include "core/game/accounting/accounts.h"
+#include "core/game/menu/menu_pages.h"
 #include "core/game/mode_tags.h"
 #include "core/tank/preset.h"
 #include "platform/render/ui/ui.h"
+#include "tests/golden/golden_sheet.h"
+#include "tests/render/shot_menu.h"
 
 #define WIDTH_MAX 3840
 #define HEIGHT_MAX 2160
@@ -153,7 +164,9 @@ static void fill_name(struct scene *scene, const struct shot *shot, int upright)
     }
 }
 
-static const int sizes[][2] = { { 1280, 720 }, { 1920, 1080 }, { 720, 1280 }, { 640, 360 } };
+static const int sizes[][2] = {
+    { 1280, 720 }, { 1920, 1080 }, { 720, 1280 }, { 1024, 768 }, { 640, 360 }
+};
 
 static void fill_player(struct scene *scene, const struct shot *shot, uint8_t player)
 {
@@ -336,9 +349,42 @@ static GLuint load_backdrop(const char *path, int *width, int *height)
     return framebuffer;
 }
 
+/* The render target and the backdrop texture, with their sizes in pixels. */
+struct canvas {
+    GLuint target, backdrop;
+    int width, height, back_width, back_height;
+    /* Sheet for eyes and sheet that is compared. Null if the pictures are written instead. */
+    struct golden_sheet *large, *small;
+};
+
+static uint8_t pixels[WIDTH_MAX * HEIGHT_MAX * 4];
+
+/* Draws `scene` and adds the picture to the contact sheets. Returns 0 if a font lacks a letter. */
+static int add_to_sheets(struct ui *ui, const struct scene *scene, const char *name,
+                         const struct canvas *canvas)
+{
+    char title[GOLDEN_NAME_SIZE];
+    const int width = canvas->width, height = canvas->height;
+    const struct display_transform transform = display_transform_of(
+        &(struct display_settings){ .light = 1.0f }, (float)width, (float)height);
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas->target);
+    glClearColor(0.10f, 0.42f, 0.52f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ui_draw(ui, &specimens, scene, &transform);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+    snprintf(title, sizeof title, "%.20s %s", name, scene->language == LANGUAGE_JA ? "ja" : "en");
+    golden_sheet_add(canvas->large, title, pixels, width, height);
+    golden_sheet_add(canvas->small, title, pixels, width, height);
+    if (ui->batch.unbaked_count > 0 || ui->batch.dropped_count > 0) {
+        fprintf(stderr, "ui_shots: %s has %u letters without a glyph and %u dropped shapes\n",
+                title, ui->batch.unbaked_count, ui->batch.dropped_count);
+        return 0;
+    }
+    return 1;
+}
+
 static int write_picture(const char *path, int width, int height)
 {
-    static uint8_t pixels[WIDTH_MAX * HEIGHT_MAX * 4];
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
     for (int i = 0; i < width * height; i++) {
         pixels[i * 4 + 3] = 255;
@@ -367,12 +413,6 @@ static void print_cost(struct ui *ui, const struct scene *scene, const char *nam
            ui->batch.quad_count, 1e3 * used_s / COST_DRAWS);
 }
 
-/* The render target and the backdrop texture, with their sizes in pixels. */
-struct canvas {
-    GLuint target, backdrop;
-    int width, height, back_width, back_height;
-};
-
 static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const char *out,
                  const struct canvas *canvas)
 {
@@ -390,6 +430,9 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     fill_places(&scene, shot);
     ui->memory = (struct ui_memory){ .hint = shot->hint, .hint_tick = 800 };
     memcpy(ui->memory.caught, scene.caught, sizeof scene.caught);
+    if (canvas->small) {
+        return add_to_sheets(ui, &scene, shot->name, canvas);
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, canvas->target);
     if (language == 0) {
         print_cost(ui, &scene, shot->name, width, height);
@@ -429,18 +472,112 @@ static int shoot_all(struct ui *ui, const char *out, struct canvas canvas)
     return all;
 }
 
+/* ---- Comparison with golden sheets ----------------------------------------------------------- */
+
+/* Sizes of the compared screens, and sizes of their tiles on the golden sheet and on the sheet for
+ * eyes. A golden tile has 1/16 of the width of a screen of 720 pixels. */
+static const struct compared {
+    int width, height, small[2], large[2];
+} compared[] = {
+    { 1280, 720, { 80, 45 }, { 320, 180 } },
+    { 1920, 1080, { 80, 45 }, { 320, 180 } },
+    { 720, 1280, { 45, 80 }, { 180, 320 } },
+    { 1024, 768, { 64, 48 }, { 256, 192 } },
+};
+
+/* Adds every named page of the operator's menu to the sheets. Returns 0 if a font lacks a
+ * letter. */
+static int shoot_menu(struct ui *ui, const struct canvas *canvas)
+{
+    static struct core core;
+    static struct scene scene;
+    int all = 1;
+    for (uint8_t page = 0; page < MENU_PAGE_COUNT; page++) {
+        /* The test card has lines of one pixel, which no reduced picture shows. */
+        const char *const name = page == MENU_CARD ? NULL : shot_menu_name_of(page);
+        for (uint8_t language = 0; name && language < LANGUAGE_COUNT; language++) {
+            struct core_config config = { .seed = 1, .fish_count = 1, .language = language };
+            settings_reset(&config.persistent.settings);
+            core_init(&core, &config);
+            shot_menu_open(&core, name, 0, canvas->height > canvas->width);
+            core_scene(&core, &scene);
+            scene.language = language;
+            scene.phase_s = 1.0f; /* The page has faded in. */
+            shot_menu_name(&scene.devices, scene.menu.file_first);
+            ui->memory = (struct ui_memory){ 0 };
+            all &= add_to_sheets(ui, &scene, name, canvas);
+        }
+    }
+    return all;
+}
+
+/* Draws all screens of one size. Writes the sheet for eyes to the folder `out`. Compares the other
+ * sheet with the golden sheet in the folder `golden`, or writes the golden sheet if `keeps` is
+ * true. Both sizes of 16:9 have the same layout and therefore share a golden sheet. Returns 1 if
+ * all screens are as they must be. */
+static int compare_size(struct ui *ui, const struct compared *size, const char *out,
+                        const char *golden, bool keeps)
+{
+    static struct golden_sheet large, small;
+    char path[512], golden_path[512];
+    struct canvas canvas = {
+        .width = size->width, .height = size->height, .large = &large, .small = &small
+    };
+    const bool is_shared = size->width == 1920;
+    if (!golden_sheet_open(&large, size->large[0], size->large[1]) ||
+        !golden_sheet_open(&small, size->small[0], size->small[1])) {
+        return 0;
+    }
+    canvas.target = make_target(canvas.width, canvas.height);
+    int all = 1;
+    for (size_t i = 0; i < sizeof shots / sizeof *shots; i++) {
+        for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
+            all &= shoot(ui, &shots[i], language, out, &canvas);
+        }
+    }
+    all &= shoot_menu(ui, &canvas);
+    snprintf(path, sizeof path, "%s/ui-%dx%d.png", out, size->width, size->height);
+    snprintf(golden_path, sizeof golden_path, "%s/ui-%dx%d.png", golden,
+             is_shared ? compared[0].width : size->width,
+             is_shared ? compared[0].height : size->height);
+    all &= golden_sheet_write(&large, path);
+    if (keeps && !is_shared) {
+        all &= golden_sheet_write(&small, golden_path);
+    } else {
+        const int different = golden_sheet_compare(&small, golden_path);
+        printf("%s: %u screens, %d differ from %s\n", path, small.count, different, golden_path);
+        all &= different == 0;
+    }
+    golden_sheet_close(&large);
+    golden_sheet_close(&small);
+    return all;
+}
+
+static int compare_all(struct ui *ui, const char *out, const char *golden, bool keeps)
+{
+    int all = 1;
+    for (size_t i = 0; i < sizeof compared / sizeof *compared; i++) {
+        all &= compare_size(ui, &compared[i], out, golden, keeps);
+    }
+    return all;
+}
+
 int main(int count, char **arguments)
 {
     static struct ui ui;
     char why[256];
     SDL_setenv("SDL_VIDEODRIVER", "offscreen", 0);
+    const bool keeps = count == 4 && strcmp(arguments[2], "--keep") == 0;
+    const bool compares = keeps || (count == 4 && strcmp(arguments[2], "--compare") == 0);
     const bool has_size =
         count > 2 && strlen(arguments[2]) == 1 && arguments[2][0] >= '0' && arguments[2][0] <= '2';
-    if (!has_size || count > 4) {
-        fputs("usage: ui_shots OUT TEXT [BACKDROP.png], with a TEXT from 0 to 2\n", stderr);
+    if (!compares && (!has_size || count > 4)) {
+        fputs("usage: ui_shots OUT TEXT [BACKDROP.png], with a TEXT from 0 to 2\n"
+              "       ui_shots OUT --compare|--keep GOLDEN\n",
+              stderr);
         return 2;
     }
-    text_size = (uint8_t)(arguments[2][0] - '0');
+    text_size = compares ? 0 : (uint8_t)(arguments[2][0] - '0');
     if (!open_context()) {
         fprintf(stderr, "ui_shots: no OpenGL ES 3 context: %s\n", SDL_GetError());
         return 1;
@@ -455,6 +592,9 @@ int main(int count, char **arguments)
     if (!ui_init(&ui, why, sizeof why)) {
         fprintf(stderr, "ui_shots: %s\n", why);
         return 1;
+    }
+    if (compares) {
+        return compare_all(&ui, arguments[1], arguments[3], keeps) ? 0 : 1;
     }
     struct canvas canvas = { 0 };
     canvas.backdrop =

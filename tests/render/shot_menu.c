@@ -56,6 +56,11 @@ static const char *const names[MENU_PAGE_COUNT] = {
 };
 /* clang-format on */
 
+const char *shot_menu_name_of(uint8_t id)
+{
+    return id < MENU_PAGE_COUNT ? names[id] : NULL;
+}
+
 int shot_menu_exists(const char *page, uint8_t step)
 {
     for (uint8_t i = 0; i < MENU_PAGE_COUNT; i++) {

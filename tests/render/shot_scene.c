@@ -183,6 +183,9 @@ void shot_scene(const struct shot_options *options, struct scene *scene)
     play(options, &output);
     open_page(options, &output, &scene->devices);
     core_scene(&core, scene);
+    if (shot_is_upright(options)) {
+        scene->view = scene->turned_view;
+    }
     if (options->plain) {
         scene->phase = PHASE_WORDLESS;
         scene->poi[0].present = scene->bowl[0].present = 0;

@@ -234,10 +234,10 @@ bool poi_is_above(const struct scene_poi *poi)
     return poi->present && extent(poi, 1.0f) > 0.0f;
 }
 
-void poi_pose(float out[16], vec3 position_m, struct angles angles, float scale)
+static void pose_of_axes(float out[16], vec3 position_m, const struct basis *pose, float scale)
 {
     CORE_ASSERT(scale > 0.0f);
-    const struct basis axes = vec_basis_from_angles(angles);
+    const struct basis axes = *pose;
     const vec3 columns[4] = { v3_scale(axes.right, scale), v3_scale(axes.up, scale),
                               v3_scale(axes.back, scale), position_m };
     for (uint32_t i = 0; i < 4; i++) {
@@ -246,10 +246,17 @@ void poi_pose(float out[16], vec3 position_m, struct angles angles, float scale)
     }
 }
 
+void poi_pose(float out[16], vec3 position_m, struct angles angles, float scale)
+{
+    const struct basis axes = vec_basis_from_angles(angles);
+    pose_of_axes(out, position_m, &axes, scale);
+}
+
 void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi)
 {
     float pose[16];
-    poi_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
+    const struct basis axes = scene_handle_axes(poi);
+    pose_of_axes(pose, poi->position_m, &axes, poi->ring_radius_m);
     glUseProgram(pass->frame_program);
     glUniformMatrix4fv(pass->frame_pose, 1, GL_FALSE, pose);
     glUniform4fv(pass->frame_paint, 1, poi_paint(poi->owner));

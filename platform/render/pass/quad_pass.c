@@ -171,6 +171,9 @@ void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene)
     gl_bind_texture(0, GL_TEXTURE_2D, pass->fan_faces.texture);
     glBindVertexArray(pass->no_attributes);
     glEnable(GL_BLEND);
+    /* The handle of a fan points toward the player, who may stand at the short side of the tank. */
+    const bool is_turned = view_basis(&scene->view).right.z < -0.5f;
+    const float yaw_rad = 0.18f + (is_turned ? VIEW_TURN_RAD : 0.0f);
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         const struct scene_fan *const fan = &scene->fan[i];
         float pose[16];
@@ -179,7 +182,7 @@ void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene)
         }
         const float phase = (float)(scene->tick % period) / (float)period;
         const float sway = phase * F_TAU + (float)fan->owner;
-        const struct angles angles = { .yaw_rad = 0.18f + SWAY_RAD * f_sin(sway),
+        const struct angles angles = { .yaw_rad = yaw_rad + SWAY_RAD * f_sin(sway),
                                        .pitch_rad = FAN_PITCH_RAD,
                                        .roll_rad = SWAY_RAD * f_cos(sway) };
         poi_pose(pose, v3(fan->x_m, FAN_HEIGHT_M, fan->z_m), angles, fan->radius_m);

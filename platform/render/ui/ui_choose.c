@@ -46,7 +46,7 @@ struct tag_layout {
 };
 
 static const struct tag_layout large = { 128.0f, 74.0f, 46.0f, { 60.0f, 26.0f }, 23.0f };
-static const struct tag_layout small = { 94.0f, 46.0f, 34.0f, { 52.0f, 23.0f }, 22.0f };
+static const struct tag_layout small = { 92.0f, 41.0f, 33.0f, { 52.0f, 23.0f }, 22.0f };
 
 /* Returns how much higher the upper line of a tag is than at the normal size of small texts, in
  * layout units. Larger letters need a larger distance between the lines. */

@@ -161,7 +161,7 @@ void ui_handle_marks(const struct ui_frame *frame)
     for (uint32_t i = 0; i < POI_MAX && ui_player_count(frame->scene) > 1u; i++) {
         const struct scene_poi *const poi = &frame->scene->poi[i];
         if (frame->scene->player[i].plays && poi->present) {
-            const struct basis axes = vec_basis_from_angles(poi->angles);
+            const struct basis axes = scene_handle_axes(poi);
             const struct ui_point at = ui_project(
                 frame, v3_muladd(poi->position_m, axes.back, HANDLE_AT * poi->ring_radius_m));
             ui_player_mark(frame, fminf(fmaxf(at.x, edge), frame->width - edge),

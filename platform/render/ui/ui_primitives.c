@@ -22,7 +22,7 @@ struct ui_frame ui_canvas(const struct ui_frame *frame, bool is_upright)
     const float across = frame->width / size.x, down = frame->height / size.y;
     struct ui_frame canvas = *frame;
     canvas.is_upright = is_upright;
-    canvas.unit = is_upright ? across : fminf(across, down);
+    canvas.unit = fminf(across, down);
     canvas.x = 0.5f * (frame->width - size.x * canvas.unit);
     canvas.y = 0.5f * (frame->height - size.y * canvas.unit);
     return canvas;

@@ -43,7 +43,7 @@ struct ui_frame {
 
 /* Returns a drawing context whose layout area is the core's canvas (core/game/pointer_mapping.h),
  * on which the pointer also moves. The canvas is centred on the screen and as large as the screen
- * permits. On an upright screen, its scale equals the camera's scale. */
+ * permits, and its scale equals the camera's scale. */
 struct ui_frame ui_canvas(const struct ui_frame *frame, bool is_upright);
 
 /* Returns a box on the canvas. All lengths are in canvas units. */

@@ -2,8 +2,61 @@
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_GLYPHS_H
 #define KINGYO_TESTS_UNIT_SUPPORT_GLYPHS_H
 
+#include <stdbool.h>
+
 #include "assets.h"
 #include "platform/render/ui/ui_batch.h"
+
+/* Width in atlas pixels of the margin of the distance field around the ink of a letter, as in
+ * assets/bake/font.c. */
+#define GLYPH_MARGIN 10.0f
+
+/* Writes the sides of the quad `quad` to `box`: left, top, right, bottom. If the quad is a letter,
+ * the sides are those of its ink. */
+static inline void glyph_box(const struct ui_batch *batch, uint32_t quad, float box[4])
+{
+    const struct ui_vertex *v = &batch->vertices[quad * 4u];
+    const float margin = batch->kinds[quad] == UI_GLYPH ? GLYPH_MARGIN * v->shape[3] : 0.0f;
+    box[0] = v[0].x < v[2].x ? v[0].x : v[2].x;
+    box[1] = v[0].y < v[1].y ? v[0].y : v[1].y;
+    box[2] = v[3].x > v[1].x ? v[3].x : v[1].x;
+    box[3] = v[3].y > v[2].y ? v[3].y : v[2].y;
+    for (uint32_t i = 0; i < 2u; i++) {
+        box[i] += margin;
+        box[i + 2u] -= margin;
+    }
+}
+
+/* Returns the number of pixels by which the ink of the letter `quad` overflows the smallest panel
+ * that was drawn below the letter and contains its centre. Returns 0 or less if the letter is
+ * inside, or if there is no panel below the letter. */
+static inline float glyph_overflow_px(const struct ui_batch *batch, uint32_t quad)
+{
+    float letter[4], least = 1e9f, over = 0.0f;
+    glyph_box(batch, quad, letter);
+    const float x = 0.5f * (letter[0] + letter[2]), y = 0.5f * (letter[1] + letter[3]);
+    for (uint32_t i = 0; i < quad; i++) {
+        float box[4];
+        const uint8_t kind = batch->kinds[i];
+        glyph_box(batch, i, box);
+        const float area = (box[2] - box[0]) * (box[3] - box[1]);
+        /* A line or a cord that is thinner than the letter, and a shadow, are no panels. */
+        const bool is_panel =
+            batch->vertices[i * 4u].fill[3] > 0x90u &&
+            (kind == UI_PANEL || kind == UI_WASHI || kind == UI_WAVES || kind == UI_WOOD) &&
+            box[3] - box[1] > 0.75f * (letter[3] - letter[1]) &&
+            box[2] - box[0] > 0.75f * (letter[2] - letter[0]);
+        if (!is_panel || area > least || x < box[0] || x > box[2] || y < box[1] || y > box[3]) {
+            continue;
+        }
+        least = area;
+        over = letter[2] - box[2];
+        over = box[0] - letter[0] > over ? box[0] - letter[0] : over;
+        over = box[1] - letter[1] > over ? box[1] - letter[1] : over;
+        over = letter[3] - box[3] > over ? letter[3] - box[3] : over;
+    }
+    return over;
+}
 
 /* Returns the font size in pixels at which a letter is drawn, or 0 if the quad `quad` of `batch` is
  * not a letter. The texture coordinates of the quad identify its font. */

@@ -98,6 +98,50 @@ static void test_each_tank_is_visible_on_wide_and_narrow_screens(void **state)
     }
 }
 
+/* Returns the y coordinate (-1 to 1) at which the portrait camera shows a point of the player's
+ * axes, and checks that the point is visible. */
+static float upright_y(uint8_t id, float aspect, vec3 point_m)
+{
+    const struct view view = tank_preset_view(tank_preset(id), true);
+    const vec3 at = on_screen(&view, aspect, view_to_world(true, point_m));
+    assert_true(at.z > 0.0f && f_abs(at.x) < 0.98f && f_abs(at.y) < 0.90f);
+    return at.y;
+}
+
+static void test_the_tank_fills_a_portrait_screen(void **state)
+{
+    (void)state;
+    static const float aspects[] = { 9.0f / 21.0f, 9.0f / 16.0f, 0.6f };
+    for (uint32_t k = 0; k < 3u * TANK_PRESET_COUNT; k++) {
+        const uint8_t id = (uint8_t)(k / 3u);
+        const struct tank_preset *preset = tank_preset(id);
+        const float aspect = aspects[k % 3u];
+        const float x = 0.5f * preset->size_m.z, z = 0.5f * preset->size_m.x;
+        const float far = upright_y(id, aspect, v3(-x, 0.0f, -z));
+        const float near = upright_y(id, aspect, v3(x, 0.0f, z));
+        /* On a screen of 9:16, the water takes at least 55 % of the height, which is 2. */
+        assert_true(aspect < 0.56f || far - near >= 2.0f * 0.55f);
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            upright_y(id, aspect, view_from_world(true, preset->bowl_m[i]));
+        }
+    }
+}
+
+static void test_turned_axes_convert_back(void **state)
+{
+    (void)state;
+    const vec3 v = v3(1.0f, 2.0f, 3.0f);
+    const vec3 back = view_from_world(true, view_to_world(true, v));
+    assert_true(back.x == v.x && back.y == v.y && back.z == v.z);
+    /* The player's right is -z, and the direction toward the player is +x. */
+    assert_true(view_to_world(true, v3(1.0f, 0.0f, 0.0f)).z == -1.0f);
+    assert_true(view_to_world(true, v3(0.0f, 0.0f, 1.0f)).x == 1.0f);
+    /* A handle with yaw 0 extends toward the player. */
+    const struct angles turn = { .yaw_rad = VIEW_TURN_RAD };
+    assert_true(vec_basis_from_angles(turn).back.x > 0.9999f);
+    assert_true(view_to_world(false, v).z == v.z);
+}
+
 /* The rules of the goldfish scooping federation prescribe tank type A, 1,000 fish of about 4 cm, 10
  * cm of water, no pump, and 20 to 30 C. */
 static void test_the_official_preset_is_the_championship(void **state)
@@ -153,6 +197,8 @@ int main(void)
         cmocka_unit_test(test_the_ages_of_the_festival_give_fish_of_3_to_8_cm),
         cmocka_unit_test(test_four_bowls_float_inside_each_tank_and_apart),
         cmocka_unit_test(test_each_tank_is_visible_on_wide_and_narrow_screens),
+        cmocka_unit_test(test_the_tank_fills_a_portrait_screen),
+        cmocka_unit_test(test_turned_axes_convert_back),
         cmocka_unit_test(test_the_official_preset_is_the_championship),
         cmocka_unit_test(test_fish_of_other_presets_have_a_slimmer_box_than_thesis_fish),
         cmocka_unit_test(test_the_maximum_fish_count_follows_the_water_volume),

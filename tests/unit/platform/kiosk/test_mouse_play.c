@@ -256,6 +256,32 @@ static void dip_twice(uint32_t seed, uint32_t picture_moments)
     }
 }
 
+/* Moves the mouse to points of a portrait window, and compares the position of the ring with the
+ * point of the tank that the picture shows at the mouse. */
+static void test_the_ring_is_under_the_pointer_in_portrait(void **state)
+{
+    (void)state;
+    begin_round(1, 1);
+    player.kiosk.input.is_turned = player.kiosk.input.upright = 1;
+    for (uint32_t i = 0; i < 9; i++) {
+        player.last.width_px = HEIGHT;
+        player.last.height_px = WIDTH;
+        player.x_px = 180.0f + 180.0f * (float)(i % 3u);
+        player.y_px = 400.0f + 240.0f * (float)(i / 3u);
+        moments(90);
+        const struct view *const view = &player.kiosk.scene.view;
+        const struct poi *const poi = &player.kiosk.core.world.poi[0];
+        const float aspect = (float)HEIGHT / (float)WIDTH;
+        const vec3 wanted =
+            view_point_on_plane(view, aspect, 2.0f * player.x_px / (float)HEIGHT - 1.0f,
+                                1.0f - 2.0f * player.y_px / (float)WIDTH, poi->position_m.y);
+        assert_true(view->eye_m.x > 0.5f && f_abs(view->eye_m.z) < 0.01f);
+        assert_true(v3_length(v3_sub(wanted, poi->position_m)) < 0.01f);
+        /* The handle points toward the player, who stands at the end of the tank. */
+        assert_true(vec_basis_from_angles(poi->angles).back.x > 0.9f);
+    }
+}
+
 /* A display that stops for up to one second must not tear the paper. At any frame time, the poi
  * must take about half a second to move down or up. */
 static void test_a_stopped_display_tears_no_paper(void **state)
@@ -361,6 +387,7 @@ int main(void)
         cmocka_unit_test(test_a_careful_mouse_player_lands_fish),
         cmocka_unit_test(test_a_careful_mouse_player_lands_fish_at_20_fps),
         cmocka_unit_test(test_a_careful_mouse_player_lands_fish_at_10_fps),
+        cmocka_unit_test(test_the_ring_is_under_the_pointer_in_portrait),
         cmocka_unit_test(test_a_stopped_display_tears_no_paper),
         cmocka_unit_test(test_four_careful_dips_do_not_tear_the_paper),
         cmocka_unit_test(test_fast_sweeps_through_the_water_tear_the_paper),

@@ -33,6 +33,7 @@ static void test_the_largest_difference_fits_the_bound(void **state)
                          .edit_saved_id = 5,
                          .edit_refused = 1,
                          .upright = 1,
+                         .is_turned = 1,
                          .day = 6,
                          .minute = 7,
                          .dropped_ticks = 8,
@@ -139,8 +140,8 @@ static void test_an_invalid_system_health_encoding_is_rejected(void **state)
         { MACHINE, NO_SUCH, 1, 0 },   /* Invalid: the group of machine values has no field for this
                                          bit. */
         { BEYOND, 1, 0, 0 },          /* Invalid: an input has no group for this bit. */
-        { MACHINE, LEVELS, 8, 0 },    /* Invalid: the levels have only the bits 0 to 2, so 8 (bit 3)
-                                         is no level. */
+        { MACHINE, LEVELS, 16, 0 },   /* Invalid: the levels have only the bits 0 to 3, so 16 (bit
+                                         4) is no level. */
         { MACHINE, LEVELS, 0, 0 },    /* Invalid: the mask names the levels as changed, but their
                                          value is the old one. */
         { MACHINE, MINUTE, 0xa0, 5 }, /* Invalid: 0x5a0 is minute 1440, but the last minute of a day
@@ -165,6 +166,7 @@ static void test_the_system_health_is_restored(void **state)
                                .edit_refused = 1,
                                .store_well = 1,
                                .upright = 1,
+                               .is_turned = 1,
                                .day = 9821,
                                .minute = 1439,
                                .dropped_ticks = 70000,
@@ -185,6 +187,7 @@ static void test_the_system_health_is_restored(void **state)
         assert_int_equal(decoded.edit_refused, to->edit_refused);
         assert_int_equal(decoded.store_well, to->store_well);
         assert_int_equal(decoded.upright, to->upright);
+        assert_int_equal(decoded.is_turned, to->is_turned);
         assert_int_equal(decoded.tickets_done, to->tickets_done);
         assert_int_equal(decoded.day, to->day);
         assert_int_equal(decoded.minute, to->minute);

@@ -2,6 +2,7 @@
  * in the fonts for every character. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -88,6 +89,35 @@ static void test_every_word_has_its_glyphs_in_the_font_for_small_text(void **sta
             }
         }
     }
+}
+
+static bool has_japanese(const char *words)
+{
+    for (uint32_t code = printable_next(&words); code != 0; code = printable_next(&words)) {
+        if ((code >= 0x3041u && code <= 0x30ffu) || (code >= 0x4e00u && code <= 0x9fffu)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Signs such as `90°` and names such as `USB` are the same in both languages, and short. */
+static void test_every_text_is_translated(void **state)
+{
+    (void)state;
+    for (uint32_t key = 0; key < TEXT_COUNT; key++) {
+        const char *const ja = text_words(LANGUAGE_JA, (enum text_key)key);
+        const char *const en = text_words(LANGUAGE_EN, (enum text_key)key);
+        const bool is_sign = strcmp(ja, en) == 0 && strlen(ja) < 12u;
+        if (!has_japanese(ja) && !is_sign) {
+            fail_msg("the Japanese text '%s' is not translated from '%s'", ja, en);
+        }
+        /* The line of keys names the other language in this language. */
+        if (has_japanese(en) && !is_sign && key != TEXT_KEYS) {
+            fail_msg("the English text '%s' is not translated from '%s'", en, ja);
+        }
+    }
+    assert_true(has_japanese("A\xe9\x87\x91") && !has_japanese("English"));
 }
 
 static void test_the_title_has_its_glyphs_in_the_brush_font(void **state)
@@ -188,6 +218,7 @@ int main(void)
         cmocka_unit_test(test_malformed_bytes_are_replaced_one_by_one),
         cmocka_unit_test(test_decoding_of_any_bytes_terminates),
         cmocka_unit_test(test_every_word_has_its_glyphs_in_the_font_for_small_text),
+        cmocka_unit_test(test_every_text_is_translated),
         cmocka_unit_test(test_the_title_has_its_glyphs_in_the_brush_font),
         cmocka_unit_test(test_every_glyph_page_fits_the_smallest_texture_limit),
         cmocka_unit_test(test_glyphs_are_sorted_and_each_lies_on_one_page),

@@ -489,6 +489,29 @@ static uint32_t quads_of(uint8_t page)
 
 /* Each page on the path to the page of the warning shows a mark, so that the operator finds the
  * warning. */
+/* Every letter of the menu must lie inside its board, slip or plate, in every size and language. */
+static void test_no_text_of_the_menu_overflows_its_box(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < MENU_PAGE_COUNT * LANGUAGE_COUNT * SIZE_COUNT; k++) {
+        const uint8_t page = (uint8_t)(k % MENU_PAGE_COUNT);
+        const uint32_t size = k / (MENU_PAGE_COUNT * LANGUAGE_COUNT);
+        const uint32_t all = (1u << menu_tag_count(page, false)) - 1u;
+        set_page(page, (uint16_t)all, (uint8_t)(k / MENU_PAGE_COUNT % LANGUAGE_COUNT),
+                 sizes[size].width < sizes[size].height);
+        lay_out(size);
+        for (uint32_t i = 0; i < batch.quad_count && page != MENU_CARD; i++) {
+            const float over = batch.kinds[i] == UI_GLYPH ? glyph_overflow_px(&batch, i) : 0.0f;
+            if (over > 1.0f + 0.002f * sizes[size].height) {
+                fail_msg("page %d language %d %gx%g: a letter at %.0f,%.0f overflows by %.1f px",
+                         page, scene.language, (double)sizes[size].width,
+                         (double)sizes[size].height, (double)batch.vertices[i * 4u].x,
+                         (double)batch.vertices[i * 4u].y, (double)over);
+            }
+        }
+    }
+}
+
 /* Returns the relative luminance [0, 1] of the colour 0xRRGGBBAA (WCAG 2.1). */
 static double luminance(uint32_t colour)
 {
@@ -635,6 +658,7 @@ static void test_the_opening_checklist_fits_its_page_in_every_state(void **state
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_no_text_of_the_menu_overflows_its_box),
         cmocka_unit_test(test_ink_has_contrast_to_the_wood_of_the_boards),
         cmocka_unit_test(test_the_pointer_is_a_ring_without_paper),
         cmocka_unit_test(test_an_open_warning_marks_the_path_to_its_page),
