@@ -17,6 +17,7 @@
 #include "core/poi/catch/catch.h"
 #include "core/poi/poi.h"
 #include "core/poi/poi_fields.h"
+#include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/tank_fields.h"
 
 /* Memory budgets of the kiosk. The tank uses at most 1 MiB, and the recordings of the tears use
@@ -253,6 +254,33 @@ static void record_tears(struct core *core, const uint8_t live[POI_MAX])
     }
 }
 
+/* Depth in body heights above which a fish splashes when it flees, time from the begin of its
+ * C-start to the stroke of its tail, and speed at which the splash is loudest. */
+#define SPLASH_DEPTH 1.2f
+#define SPLASH_AFTER_S 0.04f
+#define SPLASH_M_S 0.8f
+#define GULP_GAIN 0.35f
+
+/* Plays the sounds that fish make at the surface: gulps, and the splash of an escape. The state of
+ * the fish alone determines the times, so no state is necessary. The synthesiser drops sounds that
+ * follow each other too closely. */
+static void sound_fish(const struct core *core, struct output *output)
+{
+    const struct tank *tank = &core->world.tank;
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        const struct fish *fish = &tank->fish[i];
+        const float pan = f_clamp(2.0f * fish->position_m.x / tank->size_m.x, -1.0f, 1.0f);
+        if (surface_gulps(fish, core->game.tick, CORE_TICK_S)) {
+            output_sound(output, SOUND_GULP, GULP_GAIN, pan);
+        } else if (fish->gait == GAIT_ESCAPE && fish->escape_s >= SPLASH_AFTER_S &&
+                   fish->escape_s < SPLASH_AFTER_S + CORE_TICK_S &&
+                   fish->position_m.y > -SPLASH_DEPTH * fish->height_m) {
+            const float strength = v3_length(fish->velocity_m_s) / SPLASH_M_S;
+            output_sound(output, SOUND_ESCAPE, f_clamp(strength, 0.15f, 1.0f), pan);
+        }
+    }
+}
+
 /* Announces the near misses of the players in a round. */
 static void watch_near_misses(struct core *core, const uint8_t live[POI_MAX],
                               const struct catch_result caught[POI_MAX], struct output *output)
@@ -299,6 +327,7 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
     tick_pois(core, input, targets, live);
     tick_water(core, live);
     tick_fish(core, input);
+    sound_fish(core, output);
     record_tears(core, live);
     write_poi_forces(core, live, output);
     tick_catch(core, live, caught, output);

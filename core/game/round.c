@@ -58,6 +58,7 @@ static void begin_round(struct game *game, struct world *world, struct output *o
     game->round_tick = game->tick;
     game->paused_ticks = 0;
     output_sound(output, SOUND_START, 0.8f, 0.0f);
+    output_sound(output, SOUND_WELCOME, 0.8f, 0.0f);
 }
 
 void round_ready_tick(struct game *game, struct world *world, struct core_config *config,
@@ -163,6 +164,19 @@ static enum time_call call_time(uint8_t mode, uint32_t elapsed, uint32_t total,
     return is_shown ? call : CALL_NONE;
 }
 
+/* Returns the sound of the result: a cheer for a place in the ranking, a rising koto for a catch,
+ * and a low string for a round without a fish. */
+static enum sound result_sound(const struct game *game)
+{
+    uint32_t caught = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        caught += game->player[i].plays ? game->player[i].caught : 0u;
+    }
+    return game->name.ranked != 0 && caught > 0 ? SOUND_RECORD
+           : caught > 0                         ? SOUND_WIN
+                                                : SOUND_RESULT;
+}
+
 /* Ends the round, logs its result and shows the result. */
 static void begin_result(struct game *game, struct world *world, const struct core_config *config,
                          struct output *output)
@@ -180,7 +194,7 @@ static void begin_result(struct game *game, struct world *world, const struct co
                    credit_award_tickets(&game->accounts, game, config), output);
         album_give_presents(&game->album, game->player, world, config);
     }
-    output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
+    output_sound(output, result_sound(game), 1.0f, 0.0f);
 }
 
 /* ---- Tick of the round, and its result ------------------------------------------------------ */

@@ -15,9 +15,9 @@
 #define DUCK_DOWN_MS 12.0f
 #define DUCK_UP_MS 320.0f
 #define LEVEL_MS 60.0f
-/* Largest true peak: -1.5 dB of full scale, which leaves 0.5 dB for the error of the short filter
+/* Largest true peak: -2 dB of full scale, which leaves 1 dB for the error of the short filter
  * and for the change of the gain within a block. */
-#define CEILING 0.841f
+#define CEILING 0.794f
 /* Sample peak below which no true peak reaches the ceiling. */
 #define SAFE 0.45f
 #define RELEASE_PER_BLOCK 0.004f

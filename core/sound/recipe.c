@@ -115,8 +115,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
     /* The wet paper of a poi creaks ("mishi") before it tears: two short crackles of its fibres
      * over a low tone that rises with the tension. */
     [SOUND_CREAK] = { .layer = {
-        NOISE(0.34f, 0.0f, 3.0f, 16.0f, 1500.0f, 1900.0f, 20.0f, 0.5f, 1.0f),
-        NOISE(0.30f, 70.0f, 3.0f, 20.0f, 1800.0f, 2400.0f, 25.0f, 0.5f, 1.0f),
+        NOISE(0.52f, 0.0f, 3.0f, 16.0f, 1500.0f, 1900.0f, 20.0f, 0.5f, 1.0f),
+        NOISE(0.48f, 70.0f, 3.0f, 20.0f, 1800.0f, 2400.0f, 25.0f, 0.5f, 1.0f),
         TONE(0.14f, 0.0f, 12.0f, 45.0f, 300.0f, 420.0f, 60.0f),
     }, .vary = 0.10f, .length_ms = 320.0f },
     /* A near miss ("o-shi-i"): a bamboo flute plays two falling notes about a third apart, with a
@@ -128,8 +128,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
     }, .call = VOCAL_PITY, .length_ms = 920.0f },
     /* Dry paper becomes wet: a soft hiss, which becomes darker as the water fills the fibres. */
     [SOUND_WET] = { .layer = {
-        NOISE(0.55f, 0.0f, 6.0f, 90.0f, 5200.0f, 2400.0f, 90.0f, 1.4f, 0.5f),
-        NOISE(0.20f, 40.0f, 20.0f, 110.0f, 2600.0f, 1500.0f, 120.0f, 1.0f, 0.8f),
+        NOISE(0.30f, 0.0f, 6.0f, 90.0f, 5200.0f, 2400.0f, 90.0f, 1.4f, 0.5f),
+        NOISE(0.14f, 40.0f, 20.0f, 110.0f, 2600.0f, 1500.0f, 120.0f, 1.0f, 0.8f),
     }, .vary = 0.05f, .apart_ms = 150.0f, .length_ms = 600.0f },
     /* A drop falls from the poi ("pon"): the bubble below its crater. */
     [SOUND_DRIP] = { .layer = {

@@ -147,7 +147,7 @@ static void point_at_tag(struct menu *menu, uint32_t tag, struct output *output)
     CORE_ASSERT(tag < menu_tag_count(menu->page, menu->rules));
     if (menu->tag[menu->page] != tag) {
         menu->tag[menu->page] = (uint8_t)tag;
-        output_sound(output, SOUND_CHOOSE, 0.6f, 0.0f);
+        output_sound(output, SOUND_KEY, 0.7f, 0.0f);
     }
 }
 

@@ -34,6 +34,12 @@ struct scoop { /* Data that the functions in this file share in one tick. */
 
 /* ---- Sounds of the poi ----------------------------------------------------------------------- */
 
+/* Returns the stereo position of the place `x_m` in the tank. */
+static float pan_at(const struct tank *tank, float x_m)
+{
+    return f_clamp(2.0f * x_m / tank->size_m.x, -1.0f, 1.0f);
+}
+
 static bool time_for(uint32_t *last, uint32_t now, uint32_t every)
 {
     if (now - *last < every && *last != 0) {
@@ -67,14 +73,38 @@ static void sound_creak(const struct scoop *scoop)
     }
 }
 
+/* Returns the share [0, 1] of the paper that is dry. */
+static float dry_share(const struct sheet *sheet)
+{
+    float wet = 0.0f;
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        wet += sheet->wetness[i];
+    }
+    return f_clamp(1.0f - wet / (float)SHEET_CELL_COUNT, 0.0f, 1.0f);
+}
+
+/* Mass of carried water with which a lifted poi splashes most. */
+#define SPLASH_FULL_KG 0.02f
+/* Share of dry paper from which the paper is heard as it becomes wet. */
+#define DRY_FROM 0.1f
+
 static void sound_ring(const struct scoop *scoop)
 {
     struct poi *poi = scoop->poi;
-    const float gain = f_clamp(0.25f + 0.9f * f_abs(poi->splash_m_s), 0.0f, 1.0f);
+    const float gain = f_clamp(0.2f + 0.9f * f_abs(poi->splash_m_s), 0.0f, 1.0f);
     if (poi->splash_m_s > 0.0f) {
+        const float dry = dry_share(&poi->sheet);
         output_sound(scoop->output, SOUND_DIP, gain, scoop->pan);
+        if (dry > DRY_FROM) {
+            output_sound(scoop->output, SOUND_WET, dry, scoop->pan);
+        }
     } else if (poi->splash_m_s < 0.0f) {
-        output_sound(scoop->output, SOUND_LIFT, gain, scoop->pan);
+        const float water = f_min(poi->water_kg / SPLASH_FULL_KG, 1.0f);
+        output_sound(scoop->output, SOUND_LIFT, gain * f_lerp(0.6f, 1.0f, water), scoop->pan);
+    }
+    if (poi->drops > 0) {
+        output_sound(scoop->output, SOUND_DRIP, f_min(0.2f + 0.15f * (float)poi->drops, 1.0f),
+                     scoop->pan);
     }
     if (poi->strain.cells_torn > 0 && time_for(&poi->tear_tick, scoop->tick, TEAR_EVERY_TICKS)) {
         const float torn = f_clamp(0.4f + 0.03f * (float)poi->strain.cells_torn, 0.0f, 1.0f);
@@ -128,16 +158,19 @@ static bool advance_fall(const struct scoop *scoop, struct carried_fish *carried
     CORE_ASSERT(carried->state != CARRIED_LYING);
     CORE_ASSERT(carried->fish < scoop->tank->fish_count);
     const vec3 before_m = scoop->tank->fish[carried->fish].position_m;
+    /* A fish that falls fast or deep makes more noise. A fall from 5 cm ends with 1 m/s. */
+    const float blow = f_clamp(0.35f + 0.5f * f_abs(carried->fall_m_s.y), 0.0f, 1.0f);
     struct carried_fish lying;
     uint32_t bowl;
     switch (catch_fall_tick(carried, scoop->stall, &bowl)) {
     case FALL_INTO_BOWL:
         catch_count(carried, scoop->poi_index, bowl, scoop->results);
-        output_sound(scoop->output, SOUND_CATCH, 0.9f, scoop->pan);
+        output_sound(scoop->output, SOUND_CATCH, f_max(blow, 0.6f),
+                     pan_at(scoop->tank, scoop->stall->bowls[bowl].position_m.x));
         return true;
     case FALL_INTO_WATER:
         scoop->results[scoop->poi_index].slipped += carried->clear_ticks >= CARRIED_CLEAR_TICKS;
-        output_sound(scoop->output, SOUND_DIP, 0.3f, scoop->pan);
+        output_sound(scoop->output, SOUND_PLOP, blow, pan_at(scoop->tank, before_m.x));
         return true;
     default:
         if (carried->state == CARRIED_FALLING && lands(scoop, carried, before_m, &lying)) {
@@ -298,7 +331,7 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
                   .radius_m = poi_radius_m(poi),
                   .belly_m = poi->sheet.sag_m,
                   .give_per_n = (1.0f / (F_TAU * f_max(tension_n_m, SLACK_N_M))) },
-        .pan = f_clamp(2.0f * poi->position_m.x / stall->tank->size_m.x, -1.0f, 1.0f),
+        .pan = pan_at(stall->tank, poi->position_m.x),
         .clear = poi->position_m.y > poi_half_extent_m(poi, axes.up.y),
         .results = results,
     };

@@ -66,21 +66,26 @@ static void *overflow_thread(void *self)
     return NULL;
 }
 
-/* Replaces the synthesizer. A played sound overflows the stack of SDL's audio thread. */
-void synth_init(struct synth *synth)
+/* Replaces the mixer. A played sound overflows the stack of SDL's audio thread. */
+void mixer_init(struct mixer *mixer, uint32_t seed)
 {
-    (void)synth;
+    (void)mixer, (void)seed;
 }
 
-void synth_play(struct synth *synth, const struct sound_event *event)
+void mixer_set_levels(struct mixer *mixer, const struct sound_levels *levels)
 {
-    (void)synth, (void)event;
+    (void)mixer, (void)levels;
+}
+
+void mixer_play(struct mixer *mixer, const struct sound_event *event)
+{
+    (void)mixer, (void)event;
     overflow(0);
 }
 
-void synth_render(struct synth *synth, int16_t *out, uint32_t frame_count)
+void mixer_render(struct mixer *mixer, int16_t *stereo, uint32_t frame_count)
 {
-    (void)synth, (void)out, (void)frame_count;
+    (void)mixer, (void)stereo, (void)frame_count;
 }
 
 static void *play_sound(void *self)

@@ -357,6 +357,9 @@ static void test_sounds_follow_the_events_without_repetition(void **state)
     }
     assert_int_equal(heard[SOUND_DIP], 1);
     assert_int_equal(heard[SOUND_LIFT], 1);
+    /* The paper was dry before its first dip, and the lifted poi drips. */
+    assert_int_equal(heard[SOUND_WET], 1);
+    assert_true(heard[SOUND_DRIP] > 0);
 }
 
 /* Returns how often the paper creaks in two seconds. One cell of the paper has the damage

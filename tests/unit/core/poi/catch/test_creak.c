@@ -4,15 +4,15 @@
 
 #include <math.h>
 
-#include "core/sound/synth.h"
+#include "core/sound/mixer.h"
 
-#define FRAMES_PER_TICK (SYNTH_RATE_HZ / CORE_TICK_HZ)
+#define FRAMES_PER_TICK (SOUND_RATE_HZ / CORE_TICK_HZ)
 /* Band-pass filter for the crackles of the creak, which are between 1,500 and 2,400 Hz. */
 #define BAND_HZ 1900.0
 #define BAND_DAMPING 0.4
 
 static struct poi_fixture fixture;
-static struct synth synth;
+static struct mixer mixer;
 
 /* Sound of a part of the motion. */
 struct part {
@@ -29,7 +29,7 @@ static struct part hear(vec3 to_m, float speed_m_s, float wait_s)
     const vec3 from_m = fixture.hand.position_m, way_m = v3_sub(to_m, from_m);
     const uint32_t moves = (uint32_t)(v3_length(way_m) / speed_m_s * (float)CORE_TICK_HZ) + 1u;
     const uint32_t ticks = moves + (uint32_t)(wait_s * (float)CORE_TICK_HZ);
-    const double tune = 2.0 * sin(3.14159265358979 * BAND_HZ / SYNTH_RATE_HZ);
+    const double tune = 2.0 * sin(3.14159265358979 * BAND_HZ / SOUND_RATE_HZ);
     double sum = 0.0, band_sum = 0.0, low = 0.0, band = 0.0;
     struct part part = { 0 };
     for (uint32_t i = 1; i <= ticks; i++) {
@@ -38,10 +38,10 @@ static struct part hear(vec3 to_m, float speed_m_s, float wait_s)
         fixture_tick(&fixture);
         part.warning = f_max(part.warning, sheet_warning(&fixture.poi.sheet));
         for (uint32_t k = 0; k < fixture.output.sound_count; k++) {
-            synth_play(&synth, &fixture.output.sounds[k]);
+            mixer_play(&mixer, &fixture.output.sounds[k]);
             part.creaks += fixture.output.sounds[k].sound == SOUND_CREAK;
         }
-        synth_render(&synth, wave, FRAMES_PER_TICK);
+        mixer_render(&mixer, wave, FRAMES_PER_TICK);
         for (uint32_t k = 0; k < FRAMES_PER_TICK; k++) {
             const double sample = (double)wave[2u * k] / 32768.0;
             low += tune * band;
@@ -65,7 +65,7 @@ static void test_the_creak_is_heard_while_the_load_rises_and_not_at_rest(void **
 {
     (void)state;
     fixture_init(&fixture, 6, 3);
-    synth_init(&synth);
+    mixer_init(&mixer, 1);
     const struct part air = hear(fixture.hand.position_m, 0.1f, 2.0f);
     assert_true(air.rms < 1e-6);
     fixture.hand.angles.roll_rad = 1.2f;
