@@ -119,7 +119,7 @@ static void header_bake(char **paths)
         { "CAUSTICS_FRAMES", CAUSTICS_FRAMES, "One loop, frame after frame." },
         { "PATTERN_WIDTH", PATTERN_WIDTH, "RG8: red patch, scale. Snout to tail root ..." },
         { "PATTERN_HEIGHT", PATTERN_HEIGHT, "... and round the girth from the back; wraps." },
-        { "PATTERN_LAYERS", PATTERN_LAYERS, "From all red to mostly white." },
+        { "PATTERN_LAYERS", PATTERN_LAYERS, "From all red to nearly white." },
         { "ENVIRONMENT_SIZE", ENVIRONMENT_SIZE, "RGB8; uv = .5 + .5 dir.xz / (1 + dir.y)." },
         { "WOOD_SIZE", WOOD_SIZE, "R8; tiles; grain runs along x." },
         { "PAPER_SIZE", PAPER_SIZE, "R8; tiles; 128 is plain paper." },

@@ -24,7 +24,7 @@
 /* Height of a pattern of fish skin in texels. The height covers the body's girth once, beginning at
  * the back. */
 #define PATTERN_HEIGHT 64u
-#define PATTERN_LAYERS 12u
+#define PATTERN_LAYERS 7u
 #define ENVIRONMENT_SIZE 128u
 #define WOOD_SIZE 256u
 #define PAPER_SIZE 128u

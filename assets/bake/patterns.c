@@ -1,9 +1,8 @@
-/* patterns.c -- bakes the red and white patterns of goldfish: patches with the names that breeders
- * use, and rows of scales.
+/* patterns.c -- bakes the red and white patterns of goldfish, and the rows of their scales.
  *
  * A texel has the coordinates (u, v). u runs from the snout to the tail root. v runs once round the
  * girth: from the back (0) over the right flank, the belly (0.5) and the left flank to the back
- * (1). The red channel is the redness of the skin, with a crisp edge. The green channel is the
+ * (1). The red channel is the redness of the skin. The green channel is the
  * brightness of a scale's reflection. */
 #include "assets/bake/bake.h"
 
@@ -29,45 +28,33 @@ struct design {
     /* Height on the flanks below which the skin stays white. 0 is the belly, 1 is the back. */
     float belly;
     float ragged; /* Strength of the noise that deforms the edges of patches. */
+    float soft;   /* Width of the edge between red and white, as a change of patch_depth(), > 0. */
     struct patch patches[PATCHES_MAX];
 };
 
+/* Goldfish for scooping are bred for numbers. Most are plain. The edges of their patches are soft,
+ * and the patches have none of the shapes that breeders of koi select. */
 /* clang-format off */
 static const struct design designs[PATTERN_LAYERS] = {
     /* Pattern "red": all red, the most common pattern of a wakin (common goldfish). */
-    { .base = 1.0f },
-    /* Pattern "pale belly": red back and pale belly. */
-    { .base = 1.0f, .belly = 0.36f, .ragged = 0.10f },
+    { .base = 1.0f, .soft = 0.035f },
+    /* Pattern "pale belly": red back and flanks, and a pale belly. */
+    { .base = 1.0f, .belly = 0.36f, .ragged = 0.06f, .soft = 0.22f },
+    /* Pattern "pale flanks": only the back is red. */
+    { .base = 1.0f, .belly = 0.58f, .ragged = 0.10f, .soft = 0.26f },
+    /* Pattern "washed": red, and paler toward the tail. */
+    { 0.0f, 0.30f, 0.12f, 0.24f,
+      { { 0.20f, 0.0f, 0.46f, 0.60f }, { 0.62f, 0.02f, 0.22f, 0.26f } } },
     /* Pattern "saddle": red, with white around the middle of the body. */
-    { 0.0f, 0.22f, 0.15f, { { 0.12f, 0.0f, 0.25f, 0.60f }, { 0.80f, 0.0f, 0.26f, 0.60f } } },
-    /* Pattern "two steps": two red patches on white. */
-    { 0.0f, 0.20f, 0.20f, { { 0.27f, 0.05f, 0.20f, 0.26f }, { 0.74f, 0.96f, 0.17f, 0.24f } } },
-    /* Pattern "three steps": three red patches on white. */
-    { 0.0f, 0.18f, 0.27f,
-      { { 0.12f, 0.0f, 0.12f, 0.20f }, { 0.45f, 0.06f, 0.14f, 0.26f },
-        { 0.79f, 0.95f, 0.13f, 0.22f } } },
-    /* Pattern "lightning": one red band alternates between the left and the right side. */
-    { 0.0f, 0.12f, 0.24f,
-      { { 0.16f, 0.93f, 0.13f, 0.15f }, { 0.31f, 0.09f, 0.13f, 0.16f },
-        { 0.47f, 0.92f, 0.13f, 0.15f }, { 0.63f, 0.09f, 0.13f, 0.15f },
-        { 0.80f, 0.95f, 0.14f, 0.15f } } },
-    /* Pattern "hood": a red head and a small patch behind it. */
-    { 0.0f, 0.10f, 0.24f, { { 0.06f, 0.0f, 0.24f, 0.60f }, { 0.70f, 0.13f, 0.09f, 0.12f } } },
-    /* Pattern "spot": a round red spot on the head, and red patches behind it. */
-    { 0.0f, 0.15f, 0.25f,
-      { { 0.14f, 0.0f, 0.085f, 0.10f }, { 0.50f, 0.97f, 0.13f, 0.22f },
-        { 0.81f, 0.05f, 0.11f, 0.18f } } },
-    /* Pattern "crane": white with one red spot on the head. */
-    { 0.0f, 0.0f, 0.05f, { { 0.145f, 0.0f, 0.095f, 0.11f } } },
-    /* Pattern "spots": red spots scattered over both flanks. */
-    { 0.0f, 0.10f, 0.32f,
-      { { 0.21f, 0.17f, 0.08f, 0.10f }, { 0.36f, 0.86f, 0.10f, 0.12f },
-        { 0.52f, 0.12f, 0.08f, 0.11f }, { 0.64f, 0.83f, 0.07f, 0.09f },
-        { 0.83f, 0.04f, 0.10f, 0.13f }, { 0.10f, 0.92f, 0.06f, 0.08f } } },
-    /* Pattern "mostly white": the fish has one red area at the tail and one on a cheek. */
-    { 0.0f, 0.05f, 0.18f, { { 0.92f, 0.0f, 0.10f, 0.30f }, { 0.17f, 0.16f, 0.06f, 0.08f } } },
-    /* Pattern "white": all white. */
-    { .base = 0.0f },
+    { 0.0f, 0.22f, 0.20f, 0.14f, { { 0.12f, 0.0f, 0.28f, 0.60f }, { 0.82f, 0.0f, 0.24f, 0.60f } } },
+    /* Pattern "blotches": red patches on white, which run into each other. */
+    { 0.0f, 0.10f, 0.34f, 0.16f,
+      { { 0.21f, 0.17f, 0.12f, 0.14f }, { 0.36f, 0.86f, 0.13f, 0.15f },
+        { 0.52f, 0.12f, 0.12f, 0.14f }, { 0.64f, 0.83f, 0.10f, 0.12f },
+        { 0.83f, 0.04f, 0.13f, 0.16f }, { 0.10f, 0.92f, 0.10f, 0.12f } } },
+    /* Pattern "white": white, with a trace of red at the tail and on a cheek. */
+    { 0.0f, 0.05f, 0.20f, 0.18f,
+      { { 0.94f, 0.0f, 0.09f, 0.30f }, { 0.17f, 0.16f, 0.06f, 0.08f } } },
 };
 /* clang-format on */
 
@@ -111,7 +98,7 @@ static float redness(uint32_t layer, float u, float v)
     if (design->belly <= 0.0f) {
         depth = fmaxf(depth, design->base - 0.5f);
     }
-    return noise_ramp(-0.030f, 0.035f, depth);
+    return noise_ramp(-design->soft, design->soft, depth);
 }
 
 /* Returns the brightness of a scale at a point of the skin. The scales overlap toward the tail. A

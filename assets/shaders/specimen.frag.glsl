@@ -23,10 +23,15 @@ const vec3 BELOW = vec3(0.14, 0.24, 0.28); // Ambient light from below, through 
 const vec3 EDGE = vec3(0.36, 0.48, 0.56);
 const float PUPIL = 0.56; // Radius of the pupil, as a fraction of the eye's visible radius.
 
+// Colours of a black goldfish, as in fish_colours.c.
+const vec3 BLACK = vec3(0.055, 0.048, 0.045);
+const vec3 BRONZE = vec3(0.42, 0.30, 0.16);
+
 // Returns the red of a goldfish with this hue. The colours range from vermilion to, rarely, orange.
+// A hue above 1 is a black fish.
 vec3 red_of(float hue)
 {
-    return mix(vec3(1.0, 0.085, 0.015), vec3(1.0, 0.40, 0.03), hue * hue * hue);
+    return hue > 1.0 ? BLACK : mix(vec3(1.0, 0.085, 0.015), vec3(1.0, 0.40, 0.03), hue * hue * hue);
 }
 
 // Colour of a young goldfish.
@@ -45,9 +50,10 @@ void goldfish_skin(float under, float maturity, float hue, out vec3 pale, out ve
 {
     float belly = smoothstep(0.52, 0.96, under);
     vec3 red = red_of(hue);
-    vec3 below = mix(WHITE, red, 0.25);
+    vec3 white = hue > 1.0 ? BRONZE : WHITE;
+    vec3 below = mix(white, red, 0.25);
     vec3 young = mix(FRY * (0.62 + 0.38 * under), vec3(0.80, 0.80, 0.66), belly);
-    pale = mix(young, mix(WHITE, below, 0.55 * belly), turned(maturity, 0.10 * belly - 0.06));
+    pale = mix(young, mix(white, below, 0.55 * belly), turned(maturity, 0.10 * belly - 0.06));
     stain = mix(young, mix(red, below, 0.55 * belly), turned(maturity, 0.10 * belly + 0.06));
 }
 
@@ -57,9 +63,11 @@ vec3 goldfish_fin(vec2 at, float maturity, float hue, float layer)
 {
     float seed = fract(hue * 17.31);
     float root = 1.0 - at.y;
-    float stained = smoothstep(0.30, 0.72, fract(seed * 7.7 + layer * 0.37)
-        + 0.20 * sin(at.x * 9.0 + hue * 20.0) + 0.25 * root);
-    vec3 tint = mix(WHITE, red_of(hue), stained);
+    float plain = fract(seed * 7.7 + layer * 0.37);
+    plain = layer < 2.5 ? 0.45 + 0.55 * plain : plain;
+    float stained = smoothstep(0.30, 0.72, plain + 0.20 * sin(at.x * 9.0 + hue * 20.0) + 0.25 * root);
+    vec3 white = hue > 1.0 ? BRONZE : WHITE;
+    vec3 tint = mix(white, red_of(hue), stained);
     return mix(mix(FRY * 1.25, tint, turned(maturity, 0.0)), WHITE, 0.22 * at.y);
 }
 

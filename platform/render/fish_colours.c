@@ -2,14 +2,22 @@
  *  */
 #include "platform/render/fish_colours.h"
 
+#include <stdbool.h>
+
 #include "core/base/fmath.h"
 
-static const float white[3] = { 1.0f, 0.955f, 0.90f };
+static const float silver[3] = { 1.0f, 0.955f, 0.90f };
 static const float fry[3] = { 0.40f, 0.42f, 0.27f };
 static const float fry_belly[3] = { 0.80f, 0.80f, 0.66f };
 /* Brightness of a young fish at its back and of its fins, relative to `fry`. */
 #define FRY_BACK 0.72f
 #define FRY_FIN 1.25f
+/* Black of a goldfish. Bronze shows through, most of all at the belly. */
+static const float black[3] = { 0.055f, 0.048f, 0.045f };
+static const float bronze[3] = { 0.42f, 0.30f, 0.16f };
+/* Number of pattern layers whose fish have fins of one colour, as assets/bake/patterns.c lists the
+ * layers. */
+#define PLAIN_LAYERS 3.0f
 
 /* Returns the fraction of the young colour that a point of the skin has lost. `ahead` is above 0
  * where the loss begins earlier. */
@@ -25,8 +33,12 @@ static float fraction(float value)
 
 void fish_colours_compute(struct fish_colours *colours, float maturity, float hue, float layer)
 {
+    const bool is_black = hue > 1.0f;
     const float orange = hue * hue * hue;
-    const float red[3] = { 1.0f, f_lerp(0.085f, 0.40f, orange), f_lerp(0.015f, 0.03f, orange) };
+    const float vermilion[3] = { 1.0f, f_lerp(0.085f, 0.40f, orange),
+                                 f_lerp(0.015f, 0.03f, orange) };
+    const float *const red = is_black ? black : vermilion;
+    const float *const white = is_black ? bronze : silver;
     const float fin = turned(maturity, 0.0f);
     for (int i = 0; i < 3; i++) {
         const float below = f_lerp(white[i], red[i], 0.25f);
@@ -42,5 +54,6 @@ void fish_colours_compute(struct fish_colours *colours, float maturity, float hu
     }
     colours->pale_fin[3] = hue * 20.0f;
     colours->seed = fraction(hue * 17.31f);
-    colours->stained = fraction(colours->seed * 7.7f + layer * 0.37f);
+    const float stained = fraction(colours->seed * 7.7f + layer * 0.37f);
+    colours->stained = layer < PLAIN_LAYERS ? 0.45f + 0.55f * stained : stained;
 }

@@ -40,19 +40,30 @@ void textures_open(struct gl_status *status, struct textures *textures)
     textures->paper = grey_tile(status, "paper", asset_paper, ASSET_PAPER_SIZE, false);
 }
 
-/* Returns the pattern layer for the appearance number `look`. The sixteen entries of `layers` are
- * equally likely. A frequent pattern has several entries, so that the patterns are as frequent as
- * at breeders and fairs: six entries are all red (0) or have a pale belly (1), two are almost white
- * (8 and 10), and the others have red patches. */
+/* Returns the number, [0, 15], of the kind of fish with the appearance number `look`. The kinds are
+ * equally likely. */
+static uint32_t kind_of(uint32_t look)
+{
+    return look >> 8u & 15u;
+}
+
+#define BLACK_KIND 12u /* The kind that is black, one fish in sixteen. */
+
+/* Returns the pattern layer for the appearance number `look`. The fish are as at a stall: of the
+ * sixteen kinds six are all red (0), six have a pale belly or pale flanks (1, 2), one is black with
+ * a pale belly, and only three have patches. */
 float textures_pattern(uint32_t look)
 {
-    static const uint8_t layers[16] = { 0, 0, 0, 1, 1, 1, 2, 3, 3, 4, 5, 6, 7, 9, 10, 8 };
-    return (float)(layers[look >> 8u & 15u] % ASSET_PATTERN_LAYERS);
+    static const uint8_t layers[16] = { 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 1, 3, 4, 5 };
+    const uint32_t layer = layers[kind_of(look)];
+    /* Half of the fish with blotches (5) are nearly white (6). */
+    return (float)((layer == 5u ? layer + (look >> 31u) : layer) % ASSET_PATTERN_LAYERS);
 }
 
 float textures_hue(uint32_t look)
 {
-    return (float)(look >> 16u & 1023u) / 1023.0f;
+    const float hue = (float)(look >> 16u & 1023u) / 1023.0f;
+    return kind_of(look) == BLACK_KIND ? 1.0f + hue : hue;
 }
 
 void textures_close(struct textures *textures)

@@ -19,7 +19,8 @@ void textures_open(struct gl_status *status, struct textures *textures);
 /* Returns the number of the layer of the texture `patterns` for a fish with the appearance number
  * `look` (see struct scene_fish). */
 float textures_pattern(uint32_t look);
-/* Returns the hue of a fish with the appearance number `look` (see struct scene_fish), [0, 1]. */
+/* Returns the hue of a fish with the appearance number `look` (see struct scene_fish): [0, 1] from
+ * vermilion to orange, and above 1, up to 2, for a black fish. */
 float textures_hue(uint32_t look);
 
 void textures_close(struct textures *textures);

@@ -142,7 +142,7 @@ static void test_a_mature_goldfish_has_its_pattern_and_a_young_one_its_coat(void
     (void)state;
     struct specimen fish = fish_of(&species_wakin, 1.0f);
     const vec3 flank = v3(0.0f, 0.05f, -0.02f);
-    fish.look = 15u << 8u; /* In this pattern, only the root of the tail is not white. */
+    fish.look = 1u << 31u | 15u << 8u; /* This pattern is white but for the tail and a cheek. */
     picture(pictures[0], &fish, 0.0f);
     const uint8_t *pixel = pixel_at(pictures[0], &fish, flank);
     assert_true(pixel[0] > 2 * pixel[1]); /* The fish is not mature yet, so it has the red colour of
