@@ -144,7 +144,7 @@ struct graph_edit_record {
 /* ---- Complete output ------------------------------------------------------------------------- */
 
 struct output {
-    /* Number of sounds, <= OUTPUT_SOUND_MAX; further sounds of the frame are dropped. */
+    /* Number of sounds, <= OUTPUT_SOUND_MAX; output_sound() says which are dropped. */
     uint32_t sound_count;
     struct sound_event sounds[OUTPUT_SOUND_MAX];
     struct poi_force poi[POI_MAX];
@@ -190,11 +190,25 @@ static inline void output_merge_force(struct poi_force *frame, const struct poi_
     frame->tear = f_max(before.tear, tick->tear);
 }
 
-/* Appends one sound. The sound is dropped when the frame already has OUTPUT_SOUND_MAX sounds. */
+/* Returns true for the many quiet sounds of water and fish, which give way to all other sounds. */
+static inline bool sound_gives_way(uint8_t sound)
+{
+    return sound == SOUND_DRIP || sound == SOUND_GULP || sound == SOUND_ESCAPE;
+}
+
+/* Appends one sound. When the frame already has OUTPUT_SOUND_MAX sounds, the sound replaces the first
+ * quiet sound of water or fish. If there is none, or if the sound is such a sound, it is dropped. */
 static inline void output_sound(struct output *output, enum sound sound, float gain, float pan)
 {
+    const struct sound_event event = { .sound = (uint8_t)sound, .gain = gain, .pan = pan };
     if (output->sound_count < OUTPUT_SOUND_MAX) {
-        output->sounds[output->sound_count++] =
-            (struct sound_event){ .sound = (uint8_t)sound, .gain = gain, .pan = pan };
+        output->sounds[output->sound_count++] = event;
+        return;
+    }
+    for (uint32_t i = 0; i < OUTPUT_SOUND_MAX && !sound_gives_way(event.sound); i++) {
+        if (sound_gives_way(output->sounds[i].sound)) {
+            output->sounds[i] = event;
+            return;
+        }
     }
 }

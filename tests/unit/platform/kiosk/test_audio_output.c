@@ -56,6 +56,24 @@ static void test_the_volume_setting_is_a_power_law_and_zero_is_silent(void **sta
     assert_float_equal(sim.levels.music, 0.0f, 1e-6f);
 }
 
+static void test_a_full_frame_drops_quiet_sounds_of_the_water_first(void **state)
+{
+    (void)state;
+    memset(&output, 0, sizeof output);
+    for (uint32_t i = 0; i < OUTPUT_SOUND_MAX; i++) {
+        output_sound(&output, i == 3 ? SOUND_GULP : SOUND_SLAP, 0.5f, 0.0f);
+    }
+    output_sound(&output, SOUND_ESCAPE, 1.0f, 0.0f);
+    assert_int_equal(output.sounds[3].sound, SOUND_GULP);
+    output_sound(&output, SOUND_CATCH, 1.0f, 0.0f);
+    assert_int_equal(output.sounds[3].sound, SOUND_CATCH);
+    output_sound(&output, SOUND_TEAR, 1.0f, 0.0f);
+    for (uint32_t i = 0; i < OUTPUT_SOUND_MAX; i++) {
+        assert_int_not_equal(output.sounds[i].sound, SOUND_TEAR);
+    }
+    assert_int_equal(output.sound_count, OUTPUT_SOUND_MAX);
+}
+
 static void test_music_plays_in_a_game_and_not_in_the_operators_menu(void **state)
 {
     (void)state;
@@ -142,6 +160,7 @@ static void test_a_removed_sound_card_is_counted_as_one_fault(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        TEST(test_a_full_frame_drops_quiet_sounds_of_the_water_first),
         TEST(test_the_volume_setting_is_a_power_law_and_zero_is_silent),
         TEST(test_music_plays_in_a_game_and_not_in_the_operators_menu),
         TEST(test_sound_plays_in_every_nth_attract_cycle_and_in_every_game),
