@@ -114,6 +114,9 @@ waits_on() { # STATUS
 check 'a kiosk that runs for 9 s does not' waits_on 9
 check 'a status that is no number does not' waits_on '"99"'
 unit=board/image/root/etc/systemd/system/kingyo-slot-good.service
+# The devices of a unit are denied by its control group, which "+" does not change.
+allows() { ! grep -q '^PrivateDevices=yes' $unit && grep -qx 'DeviceAllow=/dev/kingyo/slots rw' $unit; }
+check 'the step of root may write the state' allows
 restarts() { grep -qx 'FailureAction=reboot' $unit && grep -qx 'ExecCondition=+/usr/lib/kingyo/mark-good is-trial' $unit; }
 check 'a system that does not open restarts the machine, but only on trial' restarts
 echo "1..$count"

@@ -39,6 +39,17 @@ test-firmware:
 	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	$(MAKE) --no-print-directory BOARD=vm image && BUILD=$(BUILD) tests/vm/image/test-firmware.sh
 
+## test/test-update: Update the disk image from USB sticks; COUNT=200 power cuts, SEED=1
+test-update:
+	@board/setup.sh test
+	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
+	mkdir -p $(BUILD)/vm && { test -f $(BUILD)/vm/update.key || \
+	    minisign -G -W -p $(BUILD)/vm/update.pub -s $(BUILD)/vm/update.key >/dev/null; } && \
+	$(MAKE) --no-print-directory BOARD=vm UPDATE_KEY=$(BUILD)/vm/update.pub image && \
+	$(MAKE) --no-print-directory -j$(JOBS) vm-guest $(VM_BIN) $(BUILD)/tests/vm/image/cut && \
+	BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh && \
+	BUILD=$(BUILD) COUNT=$(COUNT) SEED=$(SEED) tests/vm/image/test-update.sh
+
 ## test/test-kills: Cut the power of a virtual machine KILLS=50 times while coins fall
 test-kills: KILLS ?= 50
 test-kills:
@@ -60,4 +71,4 @@ $(VM_STATIC) $(BUILD)/tests/vm/image/cut: %: %.o
 	$(Q)$(CC) $(OPT) -g -static -o $@ $^ -lpthread
 
 GUEST ?= bookworm
-.PHONY: test-vm test-image test-board test-firmware test-kills vm-guest
+.PHONY: test-vm test-image test-board test-firmware test-update test-kills vm-guest

@@ -1,7 +1,7 @@
 /* cut.c -- computes the content of a disk after a power cut: all flushed data, and a random part of
  * the other writes.
  *
- * Usage: cut LOG DISK SEED [lies]
+ * Usage: cut LOG DISK SEED [lies | ENTRIES]
  *
  * LOG is the log that QEMU's blklogwrites wrote for a machine that was killed. The log contains
  * each write and flush in order, in the format of the kernel's dm-log-writes. DISK is the disk
@@ -11,7 +11,8 @@
  * A write is kept if a flush followed it or if it was a FUA (force unit access) write. Each other
  * write is at random kept, lost, or torn, which means that only some of its 512-byte sectors are
  * kept. The order of the writes has no influence. With `lies`, flushed writes may be lost too, so
- * that a test of durability must fail. Prints one line with the number of writes of each kind. Exit
+ * that a test of durability must fail. With ENTRIES, the power is cut after that many entries of
+ * the log. Prints one line with the number of writes of each kind, and the number of entries. Exit
  * code 74 means that a file is missing or that LOG is no such log. */
 #include <errno.h>
 #include <fcntl.h>
@@ -53,6 +54,7 @@ static struct write writes[WRITES_MAX];
 static uint32_t write_count;
 static uint64_t luck;
 static uint8_t disk_lies;
+static uint64_t entry_count, entry_max = UINT64_MAX;
 
 __attribute__((noreturn)) static void fail(const char *path, const char *why)
 {
@@ -92,10 +94,12 @@ static void read_log(const char *path, int log, struct tally *tally)
     }
     const uint64_t unit = super.sector_size;
     uint64_t at = unit;
-    while (pread(log, &entry, sizeof entry, (off_t)at) == (ssize_t)sizeof entry) {
+    while (entry_count < entry_max &&
+           pread(log, &entry, sizeof entry, (off_t)at) == (ssize_t)sizeof entry) {
         if (entry.sectors == 0 && entry.flags == 0) {
             break;
         }
+        entry_count++;
         if (entry.flags & FLUSH) {
             flush(tally);
         }
@@ -154,8 +158,11 @@ int main(int argc, char **argv)
 {
     struct tally tally = { 0 };
     disk_lies = argc == 5 && strcmp(argv[4], "lies") == 0;
-    if (argc != 4 && !disk_lies) {
-        fprintf(stderr, "usage: cut LOG DISK SEED [lies]\n");
+    if (argc == 5 && !disk_lies) {
+        entry_max = strtoull(argv[4], NULL, 10);
+    }
+    if (argc != 4 && argc != 5) {
+        fprintf(stderr, "usage: cut LOG DISK SEED [lies | ENTRIES]\n");
         return 2;
     }
     const int log = open(argv[1], O_RDONLY | O_CLOEXEC), disk = open(argv[2], O_RDWR | O_CLOEXEC);
@@ -165,7 +172,9 @@ int main(int argc, char **argv)
     luck = strtoull(argv[3], NULL, 10);
     read_log(argv[1], log, &tally);
     apply(log, disk, &tally);
-    printf("%u writes flushed by %u flushes; of the others %u there, %u torn, %u lost\n",
-           tally.safe, tally.flushes, tally.kept, tally.torn, tally.lost);
+    printf(
+        "%u writes flushed by %u flushes; of the others %u there, %u torn, %u lost; %llu entries\n",
+        tally.safe, tally.flushes, tally.kept, tally.torn, tally.lost,
+        (unsigned long long)entry_count);
     return close(disk) == 0 ? 0 : 74;
 }

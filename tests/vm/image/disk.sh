@@ -50,6 +50,10 @@ make_share() { # SCRIPT of guest/ that the guest runs
         cp -r "$here/board/units/." "$share/units/"
         cp -r "$here/board/system.conf.d" "$share/"
     fi
+    # An emulated machine on a busy host may detect its disk after more than the 30 s of /etc/fstab.
+    local units='dev-disk-by\x2dpartlabel-kingyo\x2ddata.device.d'
+    mkdir -p "$share/units/$units"
+    printf '[Unit]\nJobRunningTimeoutSec=10min\n' >"$share/units/$units/60-patience.conf"
     cp "$here"/guest/{lib,cabinet,poi}.sh "$here"/image/guest/*.sh "$share/guest/"
     printf '[game]\nround = 10\n' >"$share/kingyo.conf"
     echo "$1" >"$share/script"

@@ -1,0 +1,198 @@
+#!/bin/bash
+# test-update.sh -- updates the disk of `make image BOARD=vm` from USB sticks in an emulated machine.
+#
+# The update is a system that does not open a kiosk, so that the machine must return to the old one. All writes of the
+# update are logged; the power is then cut after each entry of the log (COUNT cuts, drawn by SEED), on copies of the disk.
+# Exit code 0 if every line of update_checks.txt passed, otherwise 1.
+# shellcheck disable=SC2154,SC1091,SC2034  # the sourced files set and use these variables
+export BUILD=${BUILD:-build}
+. "$(dirname "$0")/disk.sh" image-update
+. "$top/board/image/slots/slots.sh"
+limit_s=${VM_SECONDS:-1800} cuts=${COUNT:-200} seed=${SEED:-1}
+disk=$cache/disk.img # A later start has the disk of the start before.
+key=$BUILD/vm/update.key log=$cache/writes.log plugged='' plug_count=0
+trap guest_stop EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM HUP
+
+disk_words() { # All writes are logged. The machine has a USB controller, but no screen, which would be slow.
+    printf '%s\n' -device qemu-xhci,id=xhci -blockdev \
+        "driver=blklogwrites,node-name=disk,file.driver=file,file.filename=$disk,log.driver=file,log.filename=$log" \
+        -device virtio-blk-pci,drive=disk,write-cache=on
+}
+
+eval "with_screen_$(declare -f qemu_words)"
+qemu_words() {
+    with_screen_qemu_words | awk '$0 == "-device" { held = 1; next }
+        held { held = 0; if (/virtio-gpu/) next; print "-device" }
+        { print }'
+}
+
+# ---- Packages and sticks
+
+make_system() { # FILE: a system that prints a line and restarts, with room for many chunks
+    local root=$cache/bad
+    rm -rf "$root"
+    mkdir -p "$root"/{bin,sbin,proc,sys,dev,run,usr/lib/modules}
+    cp "$modules_cache/busybox" "$root/bin/busybox"
+    printf '%s\n' '#!/bin/busybox sh' '/bin/busybox echo "kingyo-test: slot $(/bin/busybox cat /run/kingyo-slot)" >/dev/ttyS0' \
+        '/bin/busybox sleep 1' '/bin/busybox reboot -f' >"$root/sbin/init"
+    chmod +x "$root/sbin/init"
+    head -c 14000000 /dev/urandom >"$root/filler"
+    rm -f "$1"
+    mksquashfs "$root" "$1" -noappend -quiet -no-progress >/dev/null
+}
+
+package() { # NAME BOARD VERSION [KEY]: a stick with a package
+    "$top/board/image/update/make_package.sh" "$cache/new.sqfs" "$2" "$3" "Kingyo test $3" "${4:-$key}" "$cache/packages/$1"
+}
+
+stick_of() { # NAME: makes the stick of a package, if there is one.
+    local file=$cache/sticks/$1
+    truncate -s 40M "$file"
+    mkfs.vfat "$file" >/dev/null
+    if [ -d "$cache/packages/$1" ]; then
+        mmd -i "$file" ::/kingyo-update
+        mcopy -i "$file" "$cache/packages/$1"/* ::/kingyo-update/
+    fi
+}
+
+make_sticks() {
+    local version name
+    version=$(sed -n 's/^version //p' "$image/update-version")
+    rm -rf "$cache/packages" "$cache/sticks"
+    mkdir -p "$cache/packages" "$cache/sticks"
+    minisign -G -f -W -p "$cache/other.pub" -s "$cache/other" >/dev/null
+    make_system "$cache/new.sqfs"
+    for name in good unsigned damaged; do package "$name" vm $((version + 1)); done
+    package wrong-key vm $((version + 1)) "$cache/other"
+    package older vm $((version - 1))
+    package board rpi4 $((version + 1))
+    rm "$cache/packages/unsigned/manifest.minisig"
+    printf x | dd of="$cache/packages/damaged/root.sqfs" bs=1 seek=9000000 conv=notrunc status=none
+    (cp "$cache/new.sqfs" "$cache/large.sqfs" && truncate -s 400M "$cache/large.sqfs" &&
+        "$top/board/image/update/make_package.sh" "$cache/large.sqfs" vm $((version + 1)) 'Kingyo test' "$key" "$cache/packages/large" &&
+        cp "$cache/new.sqfs" "$cache/packages/large/root.sqfs" && rm "$cache/large.sqfs")
+    for name in good unsigned damaged wrong-key older board large empty; do stick_of "$name"; done
+    head -c 4000000 /dev/urandom >"$cache/sticks/noise"
+    faults='noise:no-filesystem empty:no-folder unsigned:unsigned wrong-key:wrong-key older:older board:wrong-board
+        large:too-large'
+}
+
+exchange() { # NAME or none
+    if [ -n "$plugged" ]; then
+        qmp device_del "\"id\":\"$plugged\"" || true
+        sleep 1
+    fi
+    plugged=''
+    if [ "$1" != none ]; then
+        plug_count=$((plug_count + 1)) plugged=usb$plug_count
+        qmp blockdev-add "\"driver\":\"raw\",\"node-name\":\"node$plug_count\",\"read-only\":true,\"file\":{\"driver\":\"file\",\"filename\":\"$cache/sticks/$1\"}"
+        qmp device_add "\"driver\":\"usb-storage\",\"id\":\"$plugged\",\"drive\":\"node$plug_count\",\"bus\":\"xhci.0\""
+    fi
+    : >"$share/stick-done"
+}
+
+heard() { # Handles one line from the guest.
+    set -- $1
+    case ${2-} in
+        ok | bad) record_result "${@:2}" ;;
+        stick) exchange "$3" ;;
+    esac
+    printf '       %s\n' "$*"
+}
+
+# ---- Starts and power cuts
+
+boot() { # PASS
+    make_share update
+    echo "$1" >"$share/pass"
+    echo "$faults" >"$share/faults"
+    : >"$log"
+    plugged=''
+    step "boot the disk: $1"
+    guest_start "$limit_s" || true
+    guest_listen
+    step "the machine is off (qemu ended with $qemu_status)"
+}
+
+part_at() { # NAME: prints the start and the size of a partition in sectors.
+    sfdisk -d "$disk" | sed -n "s/.*start= *\([0-9]*\), size= *\([0-9]*\),.*name=\"kingyo-$1\".*/\1 \2/p"
+}
+
+part() { # NAME FROM TO: copies the beginning of a partition.
+    local start size
+    read -r start size < <(part_at "$1")
+    [ "$size" -lt 49152 ] || size=49152 # 24 MiB, more than the system of the test.
+    dd if="$2" of="$3" bs=512 skip="$start" count="$size" status=none
+}
+
+# Cuts the power after ENTRIES of the log. Sets outcome; returns 1 if neither system is complete.
+cut_after() { # ENTRIES
+    cp --sparse=always --reflink=auto "$cache/before.img" "$cache/cut.img"
+    "$BUILD/tests/vm/image/cut" "$log" "$cache/cut.img" $((seed * 100000 + $1)) "$1" >/dev/null
+    part slots "$cache/cut.img" "$cache/cut.slots"
+    part root-b "$cache/cut.img" "$cache/cut.root"
+    slots_read "$cache/cut.slots" || return 1
+    outcome=old
+    [ "$good" = a ] || return 1
+    if [ "$trial" = b ]; then
+        outcome=new
+        [ "$starts" -eq 2 ] && cmp -s -n "$(stat -c %s "$cache/new.sqfs")" "$cache/cut.root" "$cache/new.sqfs"
+    fi
+}
+
+cut_all() {
+    local entries at old=0 new=0 bad=0
+    entries=$(cp --sparse=always "$cache/before.img" "$cache/cut.img" && "$BUILD/tests/vm/image/cut" "$log" "$cache/cut.img" 1 | sed 's/.* \([0-9]*\) entries/\1/')
+    RANDOM=$seed
+    for ((cut = 0; cut < cuts; cut++)); do
+        at=$((cut * entries / cuts + (RANDOM * 32768 + RANDOM) % (entries / cuts + 1)))
+        if cut_after "$at"; then
+            [ "$outcome" = old ] && old=$((old + 1)) || new=$((new + 1))
+        else
+            bad=$((bad + 1))
+            echo "       FAIL: cut after $at of $entries entries: $good $trial $starts"
+        fi
+    done
+    rm -f "$cache/cut.img" "$cache/cut.root"
+    passes cuts "$cuts cuts in a log of $entries entries: $old old, $new new, $bad bad" -- [ "$bad" -eq 0 -a "$old" -gt 0 -a "$new" -gt 0 ]
+}
+
+trial_start() { # ID
+    boot "$1"
+    line=$(grep -ao 'kingyo-test: slot .' "$run/console" | tail -1)
+    passes "$1" "${line:-no line of the new system}" -- [ "$line" = 'kingyo-test: slot b' ]
+}
+
+# Puts the system of slot a into slot b, on trial, as an update would.
+copy_system() {
+    local from to size slots
+    read -r from size < <(part_at root-a)
+    read -r to size < <(part_at root-b)
+    read -r slots _ < <(part_at slots)
+    dd if="$disk" of="$disk" bs=512 skip="$from" seek="$to" count="$size" conv=notrunc status=none
+    part slots "$disk" "$cache/trial.slots"
+    slots_write "$cache/trial.slots" a b 2
+    dd if="$cache/trial.slots" of="$disk" bs=512 seek="$slots" conv=notrunc status=none
+}
+
+checks=$here/image/update_checks.txt
+make_test_initrd
+make_sticks
+fresh_disk
+cp --sparse=always "$disk" "$cache/before.img"
+boot first
+passes restarts "qemu ended with $qemu_status" -- [ "$qemu_status" -eq 0 ]
+step 'cut the power after the writes of the update'
+cut_all
+trial_start trial-1
+trial_start trial-2
+boot again
+copy_system
+boot good
+coins=$(sqlite3 "$share/out/kept/kingyo.db" 'SELECT coalesce(sum(count), 0) FROM entries WHERE kind = 2' 2>&1 | head -1)
+passes takings "coins in the database: $coins of 4" -- [ "$coins" = 4 ]
+[ ! -s "$share/out/journal" ] || cp "$share/out/journal" "$cache/journal-good"
+table "$checks" 'the update of the disk of make image BOARD=vm' | tee "$cache/table.txt"
+exit "${PIPESTATUS[0]}"
