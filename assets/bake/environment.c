@@ -25,7 +25,9 @@ static void glow(struct colour *at, struct colour light, float amount)
 /* Adds two strings of lanterns at the far side of the stall and one above the player's head. */
 static void add_lanterns(struct colour *at, float x, float y, float z)
 {
-    static const struct colour paper = { 1.0f, 0.56f, 0.22f }, red = { 1.0f, 0.26f, 0.12f };
+    /* The green of a colour is the root of red * blue, because the water keeps only these two
+     * (mirror.frag.glsl). */
+    static const struct colour paper = { 1.0f, 0.30f, 0.09f }, red = { 1.0f, 0.14f, 0.02f };
     static const float rows[3][3] = { { -0.85f, 0.50f, 7.0f },
                                       { -0.45f, 0.80f, 6.0f },
                                       /* Each string of lanterns: its position z, its height, and
@@ -42,8 +44,8 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
             const float dx = x - lx * inv, dy = (y - ly * inv) * 0.82f, dz = z - lz * inv;
             const float d2 = dx * dx + dy * dy + dz * dz;
             const struct colour light = noise_hash01(i, 7, row) < 0.35f ? red : paper;
-            glow(at, light, 1.25f * noise_ramp(0.0105f, 0.0045f, d2));
-            glow(at, light, 0.26f * expf(-d2 * 26.0f));
+            glow(at, light, 0.95f * expf(-d2 * 680.0f));
+            glow(at, light, 0.16f * expf(-d2 * 40.0f));
         }
     }
 }

@@ -43,7 +43,7 @@ void main()
 #else
     vec3 n = normalize(heel * (normal / vec3(mouth.w, form.x, mouth.w)));
     float inside = 1.0 - surface.x;
-    float lamps = 1.0 - 0.7 * shade_above(world);
+    float lamps = (1.0 - 0.7 * shade_above(world)) * lamp_light(world).g;
     float lit = 0.58 + 0.50 * max(dot(n, LAMP_DIRECTION), 0.0);
     float gap = cos(paint.w * atan(position.x, position.z));
     float gap_edge = cos(0.21 * paint.w);

@@ -15,11 +15,16 @@ layout(std140) uniform Frame {
     vec4 shadow;     // xy: factors from world x, z to the shadow map's -1 .. 1. zw: sideways drift
                      // of a shadow in m per m of height.
     vec4 bend;       // Columns of a matrix: shift of the refracted picture, as a fraction of the
-                      // picture, per unit of surface slope in x and in z.
+                     // picture, per unit of surface slope in x and in z.
     vec4 shade_map;  // xy: factors from world x, z to the shade map's -0.5 .. 0.5. zw: world x, z of
                      // the camera's right.
     vec4 crop;       // Factors (xy) from a pixel of the screen, and offsets (zw), to a place in the
-                      // pictures of the objects below the water.
+                     // pictures of the objects below the water.
+    vec4 bulbs;      // rgb: light right below a bulb. w: decrease of this light, 1 / m^2.
+    vec4 evening;    // rgb: light that is everywhere. w: strength of the caustics, 1 by day.
+    vec4 water_tint; // rgb: colour that the water adds. w: strength of the lanterns' reflections.
+    vec4 sky_glow;   // x, y: red and blue of the sky's reflection, as a factor. z, w: distance of
+                     // the bulbs from the middle of the tank, in x and z, in m.
 };
 
 // Fractions of light that circular shades absorb, seen from above (shade.frag.glsl). r, g: fans
@@ -28,7 +33,7 @@ uniform sampler2D shades;
 
 // Maximum slope of the water surface for the refraction, as in basin_pass.c.
 const float SEEN_SLOPE_MAX = 0.05;
-const vec3 WATER_COLOR = vec3(0.09, 0.42, 0.53);
+#define WATER_COLOR water_tint.rgb
 const vec3 LAMP_DIRECTION = vec3(0.251, 0.955, 0.151); // Direction from any point to the lamps of
                                                        // the stall.
 const vec3 WHITE = vec3(1.0, 0.955, 0.90);             // Skin colour of a goldfish where the skin
@@ -52,6 +57,15 @@ vec2 to_world(vec2 at)
 vec3 water_passes(float path_m)
 {
     return exp(-max(path_m, 0.0) * screen.z * vec3(1.25, 0.55, 0.45));
+}
+
+// Returns the light at a place of the tank: a pool of warm light under each of two bulbs, and little
+// light in the corners. frame_block.c computes the same for a fish.
+vec3 lamp_light(vec3 at)
+{
+    vec2 far = vec2(abs(at.x), at.z) - sky_glow.zw;
+    float near = 1.0 / (1.0 + bulbs.w * dot(far, far));
+    return evening.rgb + bulbs.rgb * (near * near);
 }
 
 // Returns the fractions of light that are absorbed at point `at`, above or below the water, by the

@@ -40,7 +40,8 @@ void main()
     // the middle.
     vec2 lantern = vec2(abs(world.x) - 0.66, world.z + 0.30);
     float glow = 1.0 / (1.0 + dot(lantern, lantern) * 26.0);
-    vec3 light = vec3(0.16 + 1.15 * pool * pool) + vec3(1.25, 0.62, 0.26) * (glow * glow);
+    vec3 light = lamp_light(world) * (0.12 + 0.85 * pool * pool)
+        + vec3(1.25, 0.62, 0.26) * (glow * glow);
     color = vec4(tint * light * (0.35 + 0.65 * contact), 1.0);
 }
 #elif defined(RIM)
@@ -66,7 +67,8 @@ void main()
     bool near_plank = !across && world.z > 0.0;
     float seen = near_plank ? inner : clamp((1.0 - width) / pixel, 0.0, 1.0);
     lamp *= near_plank ? 1.0 : 0.4 + 0.6 * inner;
-    color = vec4(tint * ((1.0 + bevel) * joined * lamp) * vec3(1.10, 0.99, 0.86), 1.0) * seen;
+    color = vec4(tint * ((1.0 + bevel) * joined * lamp) * vec3(1.10, 0.99, 0.86)
+        * sqrt(lamp_light(world)), 1.0) * seen;
 }
 #else
 void main()
@@ -77,6 +79,6 @@ void main()
     float height = smoothstep(-0.012, tank.w, world.y);
     float wet = 0.55 + 0.45 * smoothstep(0.004, 0.010, world.y);
     wet = mix(wet, 1.0, max(face.z, 0.0));
-    color = vec4(tint * (0.42 + 0.50 * height) * (0.85 + 0.25 * face.z) * wet, 1.0);
+    color = vec4(tint * (0.42 + 0.50 * height) * (0.85 + 0.25 * face.z) * wet * lamp_light(world), 1.0);
 }
 #endif

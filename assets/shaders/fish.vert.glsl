@@ -169,7 +169,8 @@ void main()
     float wet = step(0.0, world.y);
     float diffuse = 0.49 + 0.68 * max(dot(n, LAMP_DIRECTION) * 0.65 + 0.35, 0.0);
     float caustic = textureLod(caustics, world.xz * CAUSTIC_TILES * 1.15, 0.0).r;
-    float light = diffuse * (1.0 + (caustic * 2.4 - 0.55) * max(n.y, 0.0) * (1.0 - wet));
+    float light = diffuse * (1.0 + (caustic * 2.4 - 0.55) * max(n.y, 0.0)
+        * (evening.w - evening.w * wet));
     // Above the water only the shades of fans count, because a fish above the water lies on the poi
     // that casts the shade. The clear water of a bowl absorbs no light, and its fish are as bright
     // as on the poi that poured them.

@@ -19,9 +19,10 @@ void main()
     vec3 left = water_passes(tank.y * 1.2);
     at = world.xz;
     // A shade on the floor absorbs only a part of the light, because light also comes from the sides.
-    gain = VINYL * left * ((0.95 + 0.05 * fold) * (0.66 + 0.36 * dim))
+    vec3 lamps = lamp_light(world);
+    gain = VINYL * lamps * left * ((0.95 + 0.05 * fold) * (0.66 + 0.36 * dim))
         * (1.0 - shade * vec3(0.92, 0.84, 0.76));
-    added = WATER_COLOR * (1.0 - 0.5 * shade) * (1.0 - left);
-    bright = 1.0 - 0.8 * shade;
+    added = WATER_COLOR * lamps * (1.0 - 0.5 * shade) * (1.0 - left);
+    bright = evening.w * (1.0 - 0.8 * shade);
     gl_Position = view_projection * vec4(world, 1.0);
 }

@@ -1,7 +1,7 @@
 // The water surface at low resolution: the reflections of the stall's lanterns in the waves, and the
-// slopes. The water surface (water.frag.glsl) reads this picture. r: reflected light, which has the
-// colour of the lanterns. g: brightness of the refracted picture, as MIRROR_GAIN in water.frag.glsl
-// decodes it. ba: slopes for the refraction, from -SEEN_SLOPE_MAX to SEEN_SLOPE_MAX.
+// slopes. The water surface (water.frag.glsl) reads this picture. rg: square roots of the red and of
+// the blue of the reflected light. Its green is the product of the two roots, as in environment.c.
+// ba: slopes for the refraction, from -SEEN_SLOPE_MAX to SEEN_SLOPE_MAX.
 in vec3 world;
 in vec2 grid;
 uniform sampler2D slopes;
@@ -20,18 +20,19 @@ void main()
     float away2 = away * away;
     float fresnel = 0.02 + 0.98 * away2 * away2 * away;
     // The lanterns are only about two metres away, so that their reflections move with the position
-    // on the water. Only light sources are drawn as reflections, because only they are visible on
-    // lit water. A light source is far brighter than the maximum of a texel.
+    // on the water. A light source is far brighter than the maximum of a texel.
     // The lanterns are in front of the player, who may stand at the short side of the tank.
     mirror.xz = from_world(mirror.xz);
     vec3 toward = mirror + vec3(from_world(world.xz), world.y).xzy * 0.55;
-    float lantern = texture(environment, toward.xz / (length(toward) + toward.y) * 0.5 + 0.5).r;
-    lantern = max(lantern - 0.42, 0.0);
+    vec2 night = texture(environment, toward.xz / (length(toward) + toward.y) * 0.5 + 0.5).rb;
+    float lantern = max(night.r - 0.30, 0.0);
+    lantern *= lantern * water_tint.w;
     float glint = max(dot(mirror, vec3(0.100, 0.619, -0.779)), 0.0);
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     float lit = 1.0 - shade_above(world);      // A fan also hides the lamps from the water.
-    float light = min(lantern * lit * (0.10 + 3.0 * fresnel), 0.30) + glint * lit * 0.55;
-    color = vec4(light, 0.5 + 2.0 * clamp((slope.x + slope.y) * 0.6, -0.10, 0.14),
-                 0.5 + slopes_here.ba * (0.5 / SEEN_SLOPE_MAX));
+    vec2 light = night * (lantern * lit * (7.0 + 90.0 * fresnel) + sky_glow.xy * fresnel)
+        + vec2(2.6, 0.8) * (glint * lit);
+    light /= 1.0 + light; // Soft knee, so that a bright reflection keeps its colour.
+    color = vec4(sqrt(light), 0.5 + slopes_here.ba * (0.5 / SEEN_SLOPE_MAX));
 }

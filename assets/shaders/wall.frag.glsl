@@ -17,9 +17,10 @@ void main()
     float light = 0.25 * (texture(caustics, tile + near).r + texture(caustics, tile - near).r
         + texture(caustics, tile + far).r + texture(caustics, tile - far).r);
     float down = smoothstep(0.0, tank.y, depth);
-    vec3 base = VINYL * (0.86 - 0.24 * down) * (0.60 + light * (0.45 + 1.5 * light));
+    vec3 base = VINYL * (0.86 - 0.24 * down) * (0.60
+        + light * (0.45 + 1.5 * light) * (evening.w * (1.0 - 0.6 * down)));
     base *= 1.0 - shade * vec3(0.92, 0.84, 0.76); // A shade on a wall absorbs only a part of the
                                                   // light, because light also comes from the sides.
     vec3 left = water_passes(depth * 1.2);
-    color = vec4(mix(WATER_COLOR * (1.0 - 0.5 * shade), base, left), 1.0);
+    color = vec4(mix(WATER_COLOR * (1.0 - 0.5 * shade), base, left) * lamp_light(world), 1.0);
 }

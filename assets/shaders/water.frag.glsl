@@ -8,22 +8,24 @@ uniform sampler2D mirror;       // Reflections and slopes at low resolution (mir
 out vec4 color;
 
 const vec3 WET_WOOD = vec3(0.07, 0.035, 0.02);
-const vec2 MIRROR_GAIN = vec2(0.75, 0.5); // Converts the green of `mirror` to a brightness.
 
 void main()
 {
     vec2 place = gl_FragCoord.xy * crop.xy + crop.zw;
     vec4 surface = texture(mirror, place);
-    vec2 at = place + mat2(bend) * ((surface.ba - 0.5) * (2.0 * SEEN_SLOPE_MAX));
+    vec2 slope = (surface.ba - 0.5) * (2.0 * SEEN_SLOPE_MAX);
+    vec2 at = place + mat2(bend) * slope;
     vec4 swims = texture(life, at);
     vec3 below = texture(ground, at).rgb * (1.0 - swims.a) + swims.rgb;
-    below *= MIRROR_GAIN.x + MIRROR_GAIN.y * surface.g;
-    below += surface.r * vec3(1.0, 0.865, 0.635);
+    // A wave that leans toward the lamps is brighter. The reflected light covers what is below it.
+    vec3 light = surface.rrg * surface.rgg;
+    below *= (1.0 + 1.2 * (slope.x + slope.y)) * (1.0 - light.r);
+    below += light;
 #ifdef EDGE
     float edge = min(tank.x - abs(world.x), tank.z - abs(world.z));
     float line = 1.0 - smoothstep(0.0, 0.004, edge);  // Bright line where the water meets the walls
                                                       // (the meniscus).
-    below += line * vec3(0.10, 0.13, 0.14);
+    below += line * (WATER_COLOR * 0.30);
     // The last pixel at the wall is a mix with the wet side of the rim, which smooths the edge
     // without multisampling.
     below = mix(WET_WOOD, below, clamp(edge / fwidth(edge), 0.0, 1.0));

@@ -57,3 +57,15 @@ void fish_colours_compute(struct fish_colours *colours, float maturity, float hu
     const float stained = fraction(colours->seed * 7.7f + layer * 0.37f);
     colours->stained = layer < PLAIN_LAYERS ? 0.45f + 0.55f * stained : stained;
 }
+
+void fish_colours_illuminate(struct fish_colours *colours, const float light[3])
+{
+    for (int i = 0; i < 3; i++) {
+        colours->pale_back[i] *= light[i];
+        colours->stain_back[i] *= light[i];
+        colours->pale_belly[i] *= light[i];
+        colours->stain_belly[i] *= light[i];
+        colours->pale_fin[i] *= light[i];
+        colours->stain_fin[i] *= light[i];
+    }
+}

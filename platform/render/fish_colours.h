@@ -17,3 +17,6 @@ struct fish_colours {
 /* Computes the colours of a fish. `maturity` is as in struct scene_fish. `hue` and `layer` are the
  * results of textures_hue() and textures_pattern(). */
 void fish_colours_compute(struct fish_colours *colours, float maturity, float hue, float layer);
+
+/* Multiplies all colours by the red, green and blue of `light`. */
+void fish_colours_illuminate(struct fish_colours *colours, const float light[3]);

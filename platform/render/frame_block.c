@@ -34,6 +34,12 @@
  * not drawn. */
 #define SHADE_MAP_MARGIN_M 0.4f
 
+/* Light of the stall. The bulbs hang over the tank at these fractions of its half width and half
+ * length. In a corner of the tank, a bulb gives BULB_CORNER of the light right below it. */
+#define BULB_X 0.50f
+#define BULB_Z -0.05f
+#define BULB_CORNER 0.16f
+
 static void multiply(float out[16], const float a[16], const float b[16])
 {
     for (int column = 0; column < 4; column++) {
@@ -181,6 +187,34 @@ static void crop(struct frame *frame, struct frame_block *below, const uint32_t 
     }
 }
 
+/* Sets the colours of the light: by night warm bulbs and a dark blue rest, by day an even light. */
+static void set_light(struct frame_block *block, bool is_day)
+{
+    const float x = BULB_X * block->tank[0], z = BULB_Z * block->tank[2];
+    const float far_x = block->tank[0] - x, far_z = block->tank[2] + f_abs(z);
+    const float fall = (1.0f / f_sqrt(BULB_CORNER) - 1.0f) / (far_x * far_x + far_z * far_z);
+    if (is_day) {
+        frame_block_set(block->bulbs, 0.0f, 0.0f, 0.0f, fall);
+        frame_block_set(block->evening, 1.0f, 1.0f, 1.0f, 1.0f);
+        frame_block_set(block->water_tint, 0.09f, 0.42f, 0.53f, 0.3f);
+        frame_block_set(block->sky_glow, 0.9f, 1.6f, x, z);
+        return;
+    }
+    frame_block_set(block->bulbs, 1.62f, 1.25f, 0.94f, fall);
+    frame_block_set(block->evening, 0.24f, 0.29f, 0.38f, 0.5f);
+    frame_block_set(block->water_tint, 0.06f, 0.31f, 0.44f, 1.0f);
+    frame_block_set(block->sky_glow, 4.0f, 3.0f, x, z);
+}
+
+void frame_lamp_light(const struct frame_block *block, float x, float z, float light[3])
+{
+    const float far_x = f_abs(x) - block->sky_glow[2], far_z = z - block->sky_glow[3];
+    const float near = 1.0f / (1.0f + block->bulbs[3] * (far_x * far_x + far_z * far_z));
+    for (uint32_t i = 0; i < 3; i++) {
+        light[i] = block->evening[i] + block->bulbs[i] * near * near;
+    }
+}
+
 void frame_open(struct frame *frame)
 {
     frame->buffer = gl_buffer(GL_UNIFORM_BUFFER, NULL, sizeof frame->block);
@@ -237,6 +271,7 @@ void frame_begin(struct frame *frame, const struct scene *scene,
                     ABSORPTION_OVER_DEPTH / size.y, layers - loops * (float)ASSET_CAUSTICS_FRAMES);
     frame_block_set(block->shadow, 2.0f / (size.x * SHADOW_MARGIN), 2.0f / (size.z * SHADOW_MARGIN),
                     SHADOW_DRIFT_X, SHADOW_DRIFT_Z);
+    set_light(block, frame->is_day);
     struct frame_block below;
     find_part(frame, below_px);
     crop(frame, &below, size_px, below_px);

@@ -19,8 +19,12 @@ struct frame_block {
     float bend[4];
     float shade_map[4];
     float crop[4];
+    float bulbs[4];
+    float evening[4];
+    float water_tint[4];
+    float sky_glow[4];
 };
-_Static_assert(sizeof(struct frame_block) == 176, "the block has the layout of common.glsl");
+_Static_assert(sizeof(struct frame_block) == 240, "the block has the layout of common.glsl");
 
 /* Values of the camera that the C code reads. The shaders do not read these values. */
 struct frame_view {
@@ -49,6 +53,7 @@ struct frame {
     struct frame_view view;
     float placed[4]; /* Matrix that rotates the picture on the screen, column-major. */
     struct frame_shades shades;
+    bool is_day; /* True if the stall stands in daylight, without lamps. */
 };
 
 void frame_open(struct frame *frame);
@@ -61,6 +66,10 @@ void frame_close(struct frame *frame);
 void frame_begin(struct frame *frame, const struct scene *scene,
                  const struct display_transform *transform, const uint32_t size_px[2],
                  const uint32_t below_px[2]);
+
+/* Writes red, green and blue of the light at (x, z) in m to `light`, as lamp_light() of common.glsl
+ * computes it. Must be called after frame_begin(). */
+void frame_lamp_light(const struct frame_block *block, float x, float z, float light[3]);
 
 /* Binds the uniform block for the render targets below the water if `is_below` is true, otherwise
  * the block for the screen. */

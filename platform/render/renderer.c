@@ -136,7 +136,7 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
                 (const uint32_t[2]){ renderer->deck.width, renderer->deck.height },
                 renderer->below_px);
     renderer_fit_below(renderer);
-    fish_pass_prepare(&renderer->fish, scene, &renderer->frame.view, &renderer->quality);
+    fish_pass_prepare(&renderer->fish, scene, &renderer->frame, &renderer->quality);
     basin_pass_prepare(&renderer->basin, scene);
     poi_pass_prepare(&renderer->poi, scene);
     basin_pass_keep_deck(&renderer->basin, &renderer->frame.block, &renderer->deck,
@@ -150,14 +150,14 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     gl_target_bind(&renderer->ground);
     /* This clear colour is visible where the shader of the water surface reads the refracted
      * picture outside the walls. */
-    glClearColor(0.05f, 0.24f, 0.30f, 1.0f);
+    glClearColor(0.03f, 0.16f, 0.21f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
     basin_pass_ground(&renderer->basin, renderer->light.caustics.texture,
                       renderer->light.shadows.texture);
     step_done(renderer, STEP_GROUND);
     draw_life(renderer, scene);
     gl_target_bind(&renderer->mirror);
-    glClearColor(0.0f, 0.0f, 0.0f, 0.5f);
+    glClearColor(0.0f, 0.0f, 0.5f, 0.5f);
     glClear(GL_COLOR_BUFFER_BIT);
     basin_pass_mirror(&renderer->basin, &renderer->textures);
     /* The water surface writes depth, so that objects drawn later are visible only above the

@@ -107,6 +107,7 @@ int renderer_open(struct renderer *renderer, const struct renderer_config *confi
     GLint samples_max = 1, side_max = GL_TEXTURE_SURE;
     memset(renderer, 0, sizeof *renderer);
     renderer->config = *config;
+    renderer->frame.is_day = config->is_day;
     renderer_place(renderer, &(struct display_settings){ .light = 1.0f });
     glGetIntegerv(GL_MAX_SAMPLES, &samples_max);
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side_max);

@@ -129,7 +129,8 @@ int main(int argc, char **argv)
                                                  .height = options.height,
                                                  .off_screen = true,
                                                  .scene_scale = options.scale,
-                                                 .samples = options.samples };
+                                                 .samples = options.samples,
+                                                 .is_day = options.day };
     const struct hal_display device = display_gl_device(&display);
     if (options.menu && !shot_menu_exists(options.menu, options.step)) {
         fprintf(stderr, "shot: --menu '%s' --step %u: no such page or step\n", options.menu,

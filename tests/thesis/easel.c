@@ -175,10 +175,11 @@ static void draw_side(struct renderer *renderer)
     const GLuint caustics = renderer->light.caustics.texture;
     const struct display_transform transform = display_transform_of(
         &(struct display_settings){ .light = 1.0f }, (float)fine_width, (float)fine_height);
+    renderer->frame.is_day = true;
     frame_begin(&renderer->frame, &scene, &transform,
                 (const uint32_t[2]){ fine_width, fine_height },
                 (const uint32_t[2]){ fine_width, fine_height });
-    fish_pass_prepare(&renderer->fish, &scene, &renderer->frame.view, &renderer->quality);
+    fish_pass_prepare(&renderer->fish, &scene, &renderer->frame, &renderer->quality);
     light_pass_shades(&renderer->light, &renderer->frame.shades);
     light_pass_caustics(&renderer->light, &renderer->textures);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

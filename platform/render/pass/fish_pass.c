@@ -114,7 +114,8 @@ static void choose_meshes(struct fish_pass *pass, const struct scene *scene,
     }
 }
 
-static void fill_instance(struct fish_instance *out, const struct scene_fish *fish, uint32_t row)
+static void fill_instance(struct fish_instance *out, const struct scene_fish *fish,
+                          const struct frame_block *block, uint32_t row)
 {
     const vec3 at = fish->position_m;
     const struct basis axes = vec_basis_from_angles(fish->angles);
@@ -128,11 +129,15 @@ static void fill_instance(struct fish_instance *out, const struct scene_fish *fi
         .gulp = { fish->gape, fish->place == SCENE_IN_BOWL ? -1.0f : fish->gulp, (float)row },
     };
     fish_colours_compute(&out->colours, fish->maturity, textures_hue(fish->look), layer);
+    float light[3];
+    frame_lamp_light(block, at.x, at.z, light);
+    fish_colours_illuminate(&out->colours, light);
 }
 
-void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
-                       const struct frame_view *view, const struct quality *quality)
+void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene, const struct frame *frame,
+                       const struct quality *quality)
 {
+    const struct frame_view *const view = &frame->view;
     CORE_ASSERT(scene->fish_count <= SCENE_FISH_MAX);
     const float near_px = quality->lod_near_px / quality->scene_scale;
     const float small_px = quality->lod_small_px / quality->scene_scale;
@@ -150,7 +155,8 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
     sort_by_height(pass, scene);
     for (uint32_t i = 0; i < scene->fish_count; i++) {
         const uint32_t row = pass->order[i];
-        fill_instance(&pass->instances[next[pass->group[row]]++], &scene->fish[row], row);
+        fill_instance(&pass->instances[next[pass->group[row]]++], &scene->fish[row], &frame->block,
+                      row);
     }
     /* The texture row of each fish is its index in the scene. A row is written again only if
      * another fish or a fish that has grown needs the row. */

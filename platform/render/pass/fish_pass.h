@@ -62,8 +62,8 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
 void fish_pass_close(struct fish_pass *pass);
 
 /* Sorts the scene's fish into groups and uploads their instances. */
-void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
-                       const struct frame_view *view, const struct quality *quality);
+void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene, const struct frame *frame,
+                       const struct quality *quality);
 
 /* Draws the bodies of one group of fish into a render target with a depth buffer. If `snouts` is
  * false, draws only the part below the water surface of each gulping fish. If `snouts` is true,

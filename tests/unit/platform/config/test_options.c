@@ -40,11 +40,12 @@ static void test_every_option_is_parsed(void **state)
         "--config", "c.conf",   "--lang",    "en",     "--seed",
         "0255",     "--fish",   "50",        "--mode", "championship",
         "--grade",  "4",        "--players", "3",      "--demo",
-        "30",       "--detail", "75",
+        "30",       "--detail", "75",        "--time", "day",
     };
     (void)state;
     assert_int_equal(parse(COUNT(argv), argv), 0);
     assert_int_equal(options.detail, 75);
+    assert_int_equal(options.time, 1);
     assert_int_equal(options.width, 800);
     assert_int_equal(options.height, 600);
     assert_int_equal(options.poi, BOARD_POI_BOT);

@@ -37,6 +37,34 @@ static void test_a_fish_a_hole_and_a_wave_each_change_the_picture(void **state)
     assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
+static uint64_t sum_of(const uint8_t rgb[PIXELS_SIZE])
+{
+    uint64_t sum = 0;
+    for (uint32_t i = 0; i < PIXELS_SIZE; i++) {
+        sum += rgb[i];
+    }
+    return sum;
+}
+
+static void test_the_tank_is_bright_and_warm_under_a_bulb_by_night_and_even_by_day(void **state)
+{
+    (void)state;
+    const float corner_x = -0.5f * scene.tank_size_m.x, corner_z = -0.5f * scene.tank_size_m.z;
+    const struct frame_block *const block = &display.renderer.frame.block;
+    float bulb[3], corner[3];
+    scene.fish_count = 0;
+    picture(pixels[0]);
+    frame_lamp_light(block, -block->sky_glow[2], block->sky_glow[3], bulb);
+    frame_lamp_light(block, corner_x, corner_z, corner);
+    assert_true(bulb[0] > 2.0f * corner[0] && bulb[0] > bulb[2]);
+    display.renderer.frame.is_day = true;
+    picture(pixels[1]);
+    frame_lamp_light(block, -block->sky_glow[2], block->sky_glow[3], bulb);
+    frame_lamp_light(block, corner_x, corner_z, corner);
+    assert_memory_equal(bulb, corner, sizeof bulb);
+    assert_true(sum_of(pixels[1]) > sum_of(pixels[0]) + sum_of(pixels[0]) / 10u);
+}
+
 /* Returns the sum of one colour channel over the 5 x 5 pixels in the middle of the picture. */
 static uint32_t middle(const uint8_t rgb[PIXELS_SIZE], uint32_t colour)
 {
@@ -375,6 +403,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         WITH_DISPLAY(test_a_fish_a_hole_and_a_wave_each_change_the_picture),
+        WITH_DISPLAY(test_the_tank_is_bright_and_warm_under_a_bulb_by_night_and_even_by_day),
         WITH_DISPLAY(test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_below),
         WITH_DISPLAY(test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank),
         WITH_DISPLAY(test_stress_is_drawn_brighter_only_in_practice),
