@@ -79,6 +79,7 @@ FEATURE_LINES = {
     'a backup of a database that was deleted while it was open, and the links and FIFOs that doctor names': 54,
     'festival music, sounds around the stall, and a mixer': 1386,
     'effects that follow their cause: wetting, drips, gulps, escapes and the outcome of a round': 31,
+    'quiet sounds of water and fish that give way, and plain skins of goldfish': 18,
     'credits that wait until the log is on disk, renames that replace no file, a backup that is aborted, a complete read of the settings': 90,
     'the update by USB stick: its page in the menu, and the link to the service': 383,
     'the self-test of a board with its report, and a supply voltage that no driver measures in doctor': 153,
