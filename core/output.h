@@ -196,8 +196,9 @@ static inline bool sound_gives_way(uint8_t sound)
     return sound == SOUND_DRIP || sound == SOUND_GULP || sound == SOUND_ESCAPE;
 }
 
-/* Appends one sound. When the frame already has OUTPUT_SOUND_MAX sounds, the sound replaces the first
- * quiet sound of water or fish. If there is none, or if the sound is such a sound, it is dropped. */
+/* Appends one sound. When the frame already has OUTPUT_SOUND_MAX sounds, the sound replaces the
+ * first quiet sound of water or fish. If there is none, or if the sound is such a sound, the sound
+ * is dropped. */
 static inline void output_sound(struct output *output, enum sound sound, float gain, float pan)
 {
     const struct sound_event event = { .sound = (uint8_t)sound, .gain = gain, .pan = pan };
