@@ -234,6 +234,9 @@ static const struct option table[] = {
     { "record", "FILE", "record the session to FILE, which must be a new or empty file",
       OPTION_PATH, AT(record), .section = "files" },
     { "replay", "FILE", "show a recorded session and verify it", OPTION_PATH, AT(replay) },
+    { "video", "FILE",
+      "write the replay with sound to an MP4 file, through ffmpeg; without ffmpeg, write pictures "
+      "and a WAV file to the folder FILE.frames", OPTION_PATH, AT(video) },
     { "shots", "DIR", "folder for pictures (demo: out/demo); otherwise one picture each 5 s",
       OPTION_PATH, AT(shots), .section = "files" },
     { "data", "DIR", "data folder of the kiosk (~/.local/share/kingyo)", OPTION_PATH, AT(data),
@@ -299,6 +302,10 @@ int options_check(const struct options *options, char error[OPTIONS_ERROR_MAX])
         snprintf(error, OPTIONS_ERROR_MAX, "--record and --replay cannot be combined");
         return -1;
     }
+    if (options->video[0] && (!options->replay[0] || options->demo)) {
+        snprintf(error, OPTIONS_ERROR_MAX, "--video needs --replay, and no --demo");
+        return -1;
+    }
     if (name) {
         snprintf(error, OPTIONS_ERROR_MAX, "--%s: %s", name, reason);
         return -1;
@@ -342,7 +349,8 @@ void options_print_help(void)
          "\n"
          "Exit code: 0 success; 1 the display was lost, no picture could be made, or a replay\n"
          "differs; 2 wrong option; 65 invalid recording; 74 a path or standard output that\n"
-         "cannot be read or written, or finished rounds that could not be saved.");
+         "cannot be read or written, finished rounds that could not be saved, or a failure of\n"
+         "ffmpeg.");
 }
 
 /* ---- Combination of the sources of settings ------------------------------------------------ */

@@ -57,6 +57,7 @@ struct options {
      * is not set. */
     char record[OPTIONS_PATH_MAX];
     char replay[OPTIONS_PATH_MAX];
+    char video[OPTIONS_PATH_MAX];
     char shots[OPTIONS_PATH_MAX];
     char data[OPTIONS_PATH_MAX];
     char config[OPTIONS_PATH_MAX];

@@ -12,6 +12,7 @@
 #include "platform/config/options.h"
 #include "platform/kiosk/demo.h"
 #include "platform/kiosk/run_common.h"
+#include "platform/kiosk/video.h"
 #include "platform/os/log.h"
 #include "platform/os/print.h"
 #include "platform/os/file.h"
@@ -50,8 +51,9 @@ static uint8_t machine_language(void)
 }
 
 /* Returns the path of the configuration file to read, or null. A path on the command line is
- * preferred. Otherwise the path is CONFIG_FILE_DEFAULT if the file exists. A demonstration reads
- * only a file named on the command line, because its result must be identical on every machine. */
+ * preferred. Otherwise the path is CONFIG_FILE_DEFAULT if the file exists. A demonstration or a
+ * video reads only a file named on the command line, because its result must be identical on every
+ * machine. */
 static const char *config_of(const struct options *options)
 {
     static char named[OPTIONS_PATH_MAX];
@@ -59,7 +61,8 @@ static const char *config_of(const struct options *options)
         memcpy(named, options->config, sizeof named);
         return named;
     }
-    return !options->demo && access(CONFIG_FILE_DEFAULT, F_OK) == 0 ? CONFIG_FILE_DEFAULT : NULL;
+    const bool is_fixed = options->demo || options->video[0];
+    return !is_fixed && access(CONFIG_FILE_DEFAULT, F_OK) == 0 ? CONFIG_FILE_DEFAULT : NULL;
 }
 
 /* Reads the configuration file `path`. Returns EXIT_IO if a file named on the command line cannot
@@ -126,6 +129,9 @@ static enum exit_code kiosk_main_run(struct run_common *session)
     struct options *options = &session->options;
     if (options->demo) {
         return demo_run(session);
+    }
+    if (options->video[0]) {
+        return video_run(session);
     }
     if (!run_interactive_waits_for_screen() && !board_has_screen(why, sizeof why)) {
         return run_without_screen(session, why);

@@ -414,6 +414,19 @@ static void test_a_kiosk_starts_at_the_normal_level_unless_the_level_is_set(void
     }
 }
 
+static void test_a_video_needs_a_replay_and_no_demonstration(void **state)
+{
+    static const char *const argv[] = { "kingyo", "--replay", "a", "--video", "b", "--demo" };
+    static const char *const alone[] = { "kingyo", "--video", "b" };
+    (void)state;
+    assert_int_equal(parse(COUNT(argv) - 1, argv), 0);
+    assert_string_equal(options.video, "b");
+    assert_int_equal(parse(COUNT(argv), argv), -1);
+    assert_non_null(strstr(error, "--video"));
+    assert_int_equal(parse(COUNT(alone), alone), -1);
+    assert_non_null(strstr(error, "--replay"));
+}
+
 static void test_recording_during_a_replay_is_an_error(void **state)
 {
     static const char *const argv[] = { "kingyo", "--record", "a", "--replay", "b" };
@@ -462,6 +475,7 @@ int main(void)
         cmocka_unit_test(test_an_out_of_range_setting_is_reported_with_its_range),
         cmocka_unit_test(test_saved_fish_counts_are_clamped_to_the_tank),
         cmocka_unit_test(test_a_kiosk_starts_at_the_normal_level_unless_the_level_is_set),
+        cmocka_unit_test(test_a_video_needs_a_replay_and_no_demonstration),
         cmocka_unit_test(test_recording_during_a_replay_is_an_error),
         cmocka_unit_test(test_a_too_long_path_is_an_error),
         cmocka_unit_test(test_a_number_with_leading_zeros_is_decimal),
