@@ -117,12 +117,13 @@ static void keep_fish(struct fish *fish, const struct fish *from)
     fish->air = gulps ? (uint8_t)AIR_GULPS : fish->air;
 }
 
-/* Copies only the visible state of a poi. The scene shows whether any player controls the poi. The
- * scene shows the water as a depth, and wetness and damage in 255 steps. */
+/* Copies only the visible state of a poi. The scene shows whether a player or a bot controls the
+ * poi: the handle of a bot points to its place. The scene shows the water as a depth, and wetness
+ * and damage in 255 steps. */
 static void keep_poi(struct poi *poi, const struct poi *from)
 {
     KEEP(poi, from, poi_parts);
-    poi->link = from->link == POI_SOURCE_LIVE ? (uint8_t)POI_SOURCE_BOT : from->link;
+    poi->link = from->link;
     poi->immersed = 0.0f;
     poi->water_kg = (1.0f - from->immersed) * from->water_kg;
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
