@@ -52,13 +52,15 @@ make_root() {
     rm -rf --one-file-system "$root"
 }
 
-# Makes the data partition: empty, and owned by the kiosk. Room in its tables lets it grow to 256 GiB.
+# Makes the data partition: empty, and owned by the kiosk. Room in its tables lets it grow to 256 GiB. mkfs.ext4 uses only
+# the last -E.
 make_data() {
     rm -f "$IMAGE/data.ext4"
     truncate -s "${data_size}M" "$IMAGE/data.ext4"
     SOURCE_DATE_EPOCH=$made_s E2FSPROGS_FAKE_TIME=$made_s mkfs.ext4 -q -F -L kingyo-data -m 0 -b 4096 -i 16384 -J size=16 \
-        -U 6b696e67-796f-4000-8000-000000000004 -E "hash_seed=6b696e67-796f-4000-8000-000000000005,resize=67108864" \
-        -E "root_owner=$kiosk_owner,lazy_itable_init=0,lazy_journal_init=0" "$IMAGE/data.ext4"
+        -U 6b696e67-796f-4000-8000-000000000004 \
+        -E "hash_seed=6b696e67-796f-4000-8000-000000000005,resize=67108864,root_owner=$kiosk_owner,lazy_itable_init=0,lazy_journal_init=0" \
+        "$IMAGE/data.ext4"
 }
 
 # Prints the partition table for sfdisk. The second root partition is empty and reserved.
