@@ -10,8 +10,12 @@ poi_udc=dummy_udc.0
 # guest/rdinit has loaded the modules before the init program of the disk ran.
 modprobe() { :; }
 
+# Linux 6.12 prints no names for the lines of gpio-sim, so the order of the lines identifies a line.
 is_held() { # NAME: Returns 0 if the kiosk holds the line.
-    grep -qE "\($1 +\|kingyo" /sys/kernel/debug/gpio
+    local line
+    line=$(wire "$1")
+    sed -n '/gpio-sim/,/^$/s/^ gpio-[0-9]* *//p' /sys/kernel/debug/gpio |
+        sed -n "$((${line##*sim_gpio} + 1))p" | grep -q kingyo
 }
 
 poi_plug_in() {
