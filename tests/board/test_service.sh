@@ -59,7 +59,7 @@ complete() { # The pages contain each key of the file, each option of the kiosk 
     for word in $("$build/kingyoctl" config defaults | sed -nE 's/^#([a-z0-9-]+) =.*/\1/p'); do
         grep -qx ".It Ic $word" "$root/usr/share/man/man5/kingyo.conf.5" || { echo "no $word"; return 1; }
     done
-    for word in $("$build/kingyo" --help | sed -nE 's/^  --([a-z]+).*/\1/p'); do
+    for word in $("$build/kingyo" --help | sed -nE 's/^  --([a-z-]+).*/\1/p'); do
         grep -qE "^\.It Fl -$word( |$)" "$root/usr/share/man/man6/kingyo.6" || { echo "no --$word"; return 1; }
     done
     for word in $("$build/kingyoctl" --help | sed -nE 's/^  ([a-z]+) .*/\1/p'); do
