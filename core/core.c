@@ -298,7 +298,7 @@ static void watch_near_misses(struct core *core, const uint8_t live[POI_MAX],
 }
 
 /* Writes the force feedback after the wall and fish contacts of this tick. catch_tick() runs later
- * and may add impacts. Those impacts take effect in the next tick, as force and as load on the
+ * and may add impacts. The added impacts take effect in the next tick, as force and as load on the
  * paper. */
 static void write_poi_forces(const struct core *core, const uint8_t live[POI_MAX],
                              struct output *output)

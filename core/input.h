@@ -35,7 +35,7 @@ enum input_button {
     INPUT_TILT = 1u << 7, /* The cabinet was shaken or tilted. */
     INPUT_DOOR = 1u << 8, /* The cabinet door is open. */
     /* Directions up and down of a keyboard or a direction pad, which also report INPUT_OK. Only the
-     * operator's menu reads them. They move the highlight to the previous or the next item. */
+     * operator's menu reads them, and moves the highlight to the previous or the next item. */
     INPUT_UP = 1u << 9,
     INPUT_DOWN = 1u << 10,
     INPUT_BUTTON_ALL = (1u << 11) - 1u,

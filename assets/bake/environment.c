@@ -30,8 +30,8 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
     static const struct colour paper = { 1.0f, 0.30f, 0.09f }, red = { 1.0f, 0.14f, 0.02f };
     static const float rows[3][3] = { { -0.85f, 0.50f, 7.0f },
                                       { -0.45f, 0.80f, 6.0f },
-                                      /* Each string of lanterns: its position z, its height, and
-                                       * its number of lanterns. */
+                                      /* A row gives the position z, the height and the number
+                                       * of lanterns of a string of lanterns. */
                                       { 0.35f, 0.90f, 5.0f } };
     for (uint32_t row = 0; row < 3; row++) {
         const int32_t count = (int32_t)rows[row][2];
@@ -70,8 +70,8 @@ void bake_environment(uint8_t *rgb8)
         for (uint32_t column = 0; column < ENVIRONMENT_SIZE; column++) {
             const float px = ((float)column + 0.5f) / (float)ENVIRONMENT_SIZE * 2.0f - 1.0f;
             const float pz = ((float)row + 0.5f) / (float)ENVIRONMENT_SIZE * 2.0f - 1.0f;
-            /* The corners of the picture lie outside the round map. They repeat the colour of the
-             * horizon. */
+            /* The corners of the picture lie outside the round map. These corners repeat the
+             * colour of the horizon. */
             const float r2 = fminf(px * px + pz * pz, 1.0f);
             const float y = (1.0f - r2) / (1.0f + r2), x = px * (1.0f + y), z = pz * (1.0f + y);
             const float low = expf(-3.2f * y);

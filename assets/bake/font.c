@@ -5,8 +5,8 @@
  * automatically.
  *
  * The font atlas holds the glyphs' distance fields on pages of equal size, one page below the
- * other. OpenGL ES 3.0 does not guarantee textures of more than 2,048 texels a side. It does
- * guarantee array textures, so each page becomes one layer of an array texture. */
+ * other. OpenGL ES 3.0 does not guarantee textures of more than 2,048 texels a side.
+ * OpenGL ES 3.0 guarantees array textures, so each page becomes one layer of an array texture. */
 #include "assets/bake/bake.h"
 
 #include <assert.h>

@@ -105,8 +105,8 @@ struct layout_box menu_box(bool upright, uint8_t page, uint8_t rules, uint16_t o
  * arrows. */
 bool menu_has_arrows(uint8_t page, uint8_t rules, uint32_t tag);
 
-/* Returns the box of an arrow in the row whose box is `row`: of the left arrow if `is_left` is
- * true, otherwise of the right arrow. The value is between the arrows. */
+/* Returns the box of an arrow in the row whose box is `row`. `is_left` selects the left arrow;
+ * otherwise the function returns the box of the right arrow. The value is between the arrows. */
 struct layout_box menu_arrow_box(struct layout_box row, bool is_left);
 
 /* If the point `at` is on an arrow of the highlighted row, the next change of the row's value has

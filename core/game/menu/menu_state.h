@@ -112,7 +112,7 @@ struct self_test {
      * and the coin slot. */
     uint8_t sound_answer, lamp_answer;
     uint8_t present; /* Bit mask of the slots with a controller. */
-    /* Directions in which each poi moved, as a bit mask: one bit each for x, y and z. */
+    /* Directions in which each poi moved, as a bit mask. x, y and z have one bit each. */
     uint8_t ways[POI_MAX];
     uint8_t worst_age[POI_MAX]; /* Largest age of a report of each slot, in ticks. */
     vec3 first_m[POI_MAX];      /* Position at which each poi was first seen. */
