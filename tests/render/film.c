@@ -73,6 +73,7 @@ static void look_straight_down(void)
     scene.phase = PHASE_WORDLESS;
     scene.poi[0].present = 0;
     scene.hint = HINT_NONE;
+    scene.veil = 0.0f;
 }
 
 static void show(const struct hal_display *device, struct contact_sheet *sheet, uint32_t index)

@@ -64,7 +64,7 @@ game-pictures: $(BUILD)/tests/render/shot
 fish-pictures: $(BUILD)/tests/render/shot $(BUILD)/tests/render/film
 	@mkdir -p $(PICTURE)
 	@$(BUILD)/tests/render/shot --oxygen 1 --seconds 25 --plain --close 0.1,0,0.22 -o $(PICTURE)/gulp.png
-	@$(BUILD)/tests/render/shot --seconds 14 --plain --fan 8,4 -o $(PICTURE)/fan.png
+	@$(BUILD)/tests/render/shot --seconds 24 --plain --fan 8,4 -o $(PICTURE)/fan.png
 	@$(BUILD)/tests/render/film -o $(PICTURE)/film.png
 	@convert \( $(PICTURE)/gulp.png -resize 800x450 \) \
 	    \( $(PICTURE)/fan.png -crop 820x461+420+110 +repage -resize 800x450 \) +append $(PICTURE)/top.png

@@ -68,6 +68,7 @@ static void open_album(const struct shot_options *options)
         core.world.tank.fish[i].gait = GAIT_BOWL;
         core.world.tank.fish[i].holder = 0;
     }
+    core.game.player[0].caught = options->album;
     album_note(&core.game.album, &core.world, 0, options->album);
     core.game.phase = PHASE_ALBUM;
     core.game.phase_tick =
