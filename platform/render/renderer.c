@@ -25,7 +25,7 @@ static void draw_life(const struct renderer *renderer, const struct scene *scene
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
-            bowl_pass_shell(&renderer->bowl, &scene->bowl[i], caustics, true);
+            bowl_pass_hull(&renderer->bowl, &scene->bowl[i]);
         }
         if (poi_is_below(&scene->poi[i])) {
             poi_pass_frame(&renderer->poi, &scene->poi[i]);
@@ -70,6 +70,26 @@ static void bind_page(const struct renderer *renderer)
     }
 }
 
+/* Draws the inside of the bowls, which the tank's water surface must not cover. Drawing the inside
+ * first also saves the pixels of the tank's water that the bowls hide. */
+static void draw_bowl_contents(const struct renderer *renderer, const struct scene *scene)
+{
+    const GLuint caustics = renderer->light.caustics.texture;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (scene->bowl[i].present) {
+            bowl_pass_inside(&renderer->bowl, &scene->bowl[i], caustics);
+        }
+    }
+    fish_pass_bodies(&renderer->fish, FISH_IN_BOWL, false, &renderer->textures, caustics);
+    fish_pass_fins(&renderer->fish, FISH_IN_BOWL, caustics);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (scene->bowl[i].present) {
+            bowl_pass_water(&renderer->bowl, &scene->bowl[i]);
+            bowl_pass_cap(&renderer->bowl, &scene->bowl[i]);
+        }
+    }
+}
+
 /* Draws the objects above the water. The order of drawing gives the right overlaps: the rim may
  * hide a bowl, a poi (paper scoop) always hides the rim, and a hand-held fan hides all other
  * objects. */
@@ -83,14 +103,7 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
     fish_pass_bodies(&renderer->fish, FISH_GULPING, true, &renderer->textures, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
-            bowl_pass_shell(&renderer->bowl, &scene->bowl[i], caustics, false);
-        }
-    }
-    fish_pass_bodies(&renderer->fish, FISH_IN_BOWL, false, &renderer->textures, caustics);
-    fish_pass_fins(&renderer->fish, FISH_IN_BOWL, caustics);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (scene->bowl[i].present) {
-            bowl_pass_water(&renderer->bowl, &scene->bowl[i]);
+            bowl_pass_hull(&renderer->bowl, &scene->bowl[i]);
         }
     }
     basin_pass_deck(&renderer->basin, renderer->deck.texture, renderer->frame.shades.fan_count > 0);
@@ -161,19 +174,14 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     glClear(GL_COLOR_BUFFER_BIT);
     basin_pass_mirror(&renderer->basin, &renderer->textures);
     /* The water surface writes depth, so that objects drawn later are visible only above the
-     * surface. Inside the mouth of each bowl, the depth of the tank's water surface is then
-     * removed. */
+     * surface. */
     frame_bind(&renderer->frame, false);
     bind_screen(renderer);
     glClearColor(0.02f, 0.015f, 0.02f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    draw_bowl_contents(renderer, scene);
     basin_pass_water(&renderer->basin, renderer->ground.texture, renderer->life.texture,
                      renderer->mirror.texture);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (scene->bowl[i].present) {
-            bowl_pass_hole(&renderer->bowl, &scene->bowl[i]);
-        }
-    }
     step_done(renderer, STEP_SURFACE);
     draw_above(renderer, scene);
 }

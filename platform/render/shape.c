@@ -66,11 +66,15 @@ void shape_close(struct shape_buffers *buffers)
     *buffers = (struct shape_buffers){ 0 };
 }
 
-void shape_draw(const struct shape_buffers *buffers, uint32_t first)
+void shape_draw_range(const struct shape_buffers *buffers, uint32_t first, uint32_t end)
 {
-    const GLsizei count = buffers->index_count - (GLsizei)first;
-    CORE_ASSERT(count > 0);
+    CORE_ASSERT(first < end && end <= (uint32_t)buffers->index_count);
     glBindVertexArray(buffers->vertex_array);
-    glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT,
+    glDrawElements(GL_TRIANGLES, (GLsizei)(end - first), GL_UNSIGNED_SHORT,
                    (const void *)(first * sizeof(uint16_t)));
+}
+
+void shape_draw(const struct shape_buffers *buffers)
+{
+    shape_draw_range(buffers, 0, (uint32_t)buffers->index_count);
 }

@@ -40,5 +40,7 @@ void shape_grid(struct shape *shape, uint32_t columns, uint32_t rows, shape_poin
 
 void shape_upload(const struct shape *shape, struct shape_buffers *buffers);
 void shape_close(struct shape_buffers *buffers);
-/* Draws the triangles of the index buffer from position `first` to the end. */
-void shape_draw(const struct shape_buffers *buffers, uint32_t first);
+/* Draws all triangles. */
+void shape_draw(const struct shape_buffers *buffers);
+/* Draws the triangles of the index buffer from position `first` to `end`, which is excluded. */
+void shape_draw_range(const struct shape_buffers *buffers, uint32_t first, uint32_t end);

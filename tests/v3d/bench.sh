@@ -54,10 +54,10 @@ while read -r name size fans pois options; do
     }
     for gpu in pi4 pi5; do
         "$here/v3d.py" frame "$logs/$gpu.log" "$logs/$name-jobs.log" "$logs/$name-quads.log" --gpu $gpu --fans "$fans" \
-            --pois "$pois" >"$logs/$name-$gpu.txt"
+            --pois "$pois" >"$logs/$name-$gpu.txt" || status=1
         printf '%-18s %s\n' "$name" "$(tail -1 "$logs/$name-$gpu.txt")"
     done
     [ -n "${PASSES:-}" ] && cat "$logs/$name-pi4.txt"
 done <"$here/scenes.txt"
-[ $status -eq 0 ] || echo "bench-v3d: if these costs are accepted: cp $folder/programs.tsv tests/v3d/programs.tsv" >&2
+[ $status -eq 0 ] || echo "bench-v3d: if higher costs are accepted: cp $folder/programs.tsv tests/v3d/programs.tsv" >&2
 exit $status

@@ -4,7 +4,8 @@
   v3d.py programs PI4.LOG PI5.LOG     prints the table of all programs for programs.tsv
   v3d.py check PROGRAMS.TSV NEW.TSV   fails if a program of the new table spills or has more instructions than before
   v3d.py frame PI4.LOG|PI5.LOG JOBS.LOG QUADS.LOG --gpu pi4|pi5 [--fans N] [--pois N]
-                                      prints the milliseconds of the last frame in QUADS.LOG
+                                      prints the milliseconds of the last frame in QUADS.LOG, and fails if the early
+                                      depth test is off in a job of the frame that has a depth buffer
 
 A log is the standard error of tests/render/shot --steps with gl_trace.so, whose first comment explains its lines.
 PI4.LOG and PI5.LOG come from the driver v3d with V3D_DEBUG=precompile,shaderdb,fs,vs, and contain the compiled
@@ -149,22 +150,31 @@ def instructions(code, count):
     return code.instructions - code.loop + code.each * count if code.loop else code.instructions
 
 
-def jobs_ms(path, bandwidth):
-    """Returns the fixed cost of one frame's jobs and of the memory traffic of their tiles. The
-    driver submits a job when its result is needed, so the jobs of a frame lie between the same step of two frames."""
+Job = collections.namedtuple('Job', 'width height draws clear parts early_z')
+CLEAR_DEPTH = 1  # PIPE_CLEAR_DEPTH of Mesa.
+EARLY_Z_OFF = 3  # V3D_EZ_DISABLED of Mesa's v3d_context.h. The driver never leaves this state before the end of a job.
+
+
+def read_jobs(path):
+    """Returns the jobs of one frame. The driver submits a job when its result is needed, so the jobs of a frame lie
+    between the same step of two frames."""
     frame, jobs = [], []
     for line in open(path, errors='replace'):
         if line.startswith('JOB '):
-            jobs.append(line.split())
+            word = line.split()
+            value = dict(zip(word[3::2], word[4::2]))
+            parts = bin(int(value['load'], 16)).count('1') + bin(int(value['store'], 16)).count('1')
+            if int(word[2]) > 1:
+                jobs.append(Job(int(word[1]), int(word[2]), int(value['draws']), int(value['clear'], 16), parts,
+                                int(value['ez'])))
         elif line.startswith('STEP light'):
             frame, jobs = jobs, []
-    total = 0.0
-    for word in frame:
-        value = dict(zip(word[3::2], word[4::2]))
-        parts = bin(int(value['load'], 16)).count('1') + bin(int(value['store'], 16)).count('1')
-        if int(word[2]) > 1:
-            total += JOB_MS + int(word[1]) * int(word[2]) * 4 * parts / bandwidth * 1e-6
-    return total
+    return frame
+
+
+def job_ms(job, bandwidth):
+    """Returns the fixed cost of a job and of the memory traffic of its tiles."""
+    return JOB_MS + job.width * job.height * 4 * job.parts / bandwidth * 1e-6
 
 
 def frame(args):
@@ -191,12 +201,22 @@ def frame(args):
             table[key] += ms
             quads_of[key] += quads
     raw = sum(steps.values())
-    total = raw * STALLS + jobs_ms(args.jobs, bandwidth)
+    jobs = read_jobs(args.jobs)
+    total = raw * STALLS + sum(job_ms(job, bandwidth) for job in jobs)
     for step, ms in steps.items():
         print(f'  {step:8} {ms:6.2f} ms, {quads_of[step]:9,} quads')
     for name, ms in costs.most_common():
         print(f'    {name:20} {ms:6.2f} ms, {quads_of[name]:9,} quads')
+    faults = []
+    for job in jobs:
+        size = f'{job.width}x{job.height}'
+        has_depth = job.clear & CLEAR_DEPTH
+        early_z = 'no depth' if not has_depth else 'early Z off' if job.early_z == EARLY_Z_OFF else 'early Z'
+        print(f'  job {size:9} {job_ms(job, bandwidth):5.2f} ms, {job.draws:3} draws, {early_z}')
+        if early_z == 'early Z off':
+            faults.append(f'{args.jobs}: early Z is off in the job of {size} pixels')
     print(f'{args.gpu}: {total:5.1f} ms a frame ({raw:.1f} ms of shading, {1e3 / total:.0f} a second, {len(draws)} draws)')
+    fail_with(faults)
 
 
 def fail_with(faults):

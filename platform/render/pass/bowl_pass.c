@@ -83,8 +83,9 @@ void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass)
     static const struct lathe inside = { 0.0f, 1.0f, false };
     static const struct lathe outside = { 0.25f, 1.0f, true };
     struct shape shape = { 0 };
-    pass->shell_part = open_part(status, "bowl", "");
-    pass->hole_part = open_part(status, "bowl hole", "#define HOLE\n");
+    pass->inside_part = open_part(status, "bowl inside", "#define INSIDE\n");
+    pass->hull_part = open_part(status, "bowl", "");
+    pass->cap_part = open_part(status, "bowl cap", "#define CAP\n");
     pass->water_part = open_part(status, "bowl water", "#define WATER\n");
     shape_grid(&shape, SHELL_COLUMNS, SHELL_ROWS, shell_point, &inside);
     pass->hull_first = shape.index_count;
@@ -98,8 +99,9 @@ void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass)
 
 void bowl_pass_close(struct bowl_pass *pass)
 {
-    glDeleteProgram(pass->shell_part.program);
-    glDeleteProgram(pass->hole_part.program);
+    glDeleteProgram(pass->inside_part.program);
+    glDeleteProgram(pass->hull_part.program);
+    glDeleteProgram(pass->cap_part.program);
     glDeleteProgram(pass->water_part.program);
     shape_close(&pass->shell);
     shape_close(&pass->disc);
@@ -135,24 +137,31 @@ static void use(const struct bowl_part *part, const struct scene_bowl *bowl)
     glUniform4fv(part->paint, 1, poi_paint(bowl->owner));
 }
 
-void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl)
+/* The depth function stays GL_LEQUAL. After a draw call with GL_ALWAYS, the driver of V3D switches
+ * off the early depth test for the rest of the picture. */
+void bowl_pass_cap(const struct bowl_pass *pass, const struct scene_bowl *bowl)
 {
-    use(&pass->hole_part, bowl);
+    use(&pass->cap_part, bowl);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    glDepthFunc(GL_ALWAYS);
-    shape_draw(&pass->disc, 0);
-    glDepthFunc(GL_LEQUAL);
+    shape_draw(&pass->disc);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics,
-                     bool is_hull)
+void bowl_pass_inside(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics)
 {
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
-    use(&pass->shell_part, bowl);
+    use(&pass->inside_part, bowl);
+    glEnable(GL_CULL_FACE);
+    shape_draw_range(&pass->shell, 0, pass->hull_first);
+    glDisable(GL_CULL_FACE);
+}
+
+void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl)
+{
+    use(&pass->hull_part, bowl);
     glEnable(GL_BLEND);
     glEnable(GL_CULL_FACE);
-    shape_draw(&pass->shell, is_hull ? pass->hull_first : 0u);
+    shape_draw_range(&pass->shell, pass->hull_first, (uint32_t)pass->shell.index_count);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
 }
@@ -162,7 +171,7 @@ void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl
     use(&pass->water_part, bowl);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
-    shape_draw(&pass->disc, 0);
+    shape_draw(&pass->disc);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }

@@ -11,22 +11,23 @@ struct bowl_part {
 };
 
 struct bowl_pass {
-    struct bowl_part shell_part, hole_part, water_part;
+    struct bowl_part inside_part, hull_part, cap_part, water_part;
     struct shape_buffers shell, disc;
-    /* Position of the hull's first entry in the index buffer. The hull is the outside and the lip
-     * of the bowl's shell. The hull's entries are the last ones of the buffer. */
+    /* Position of the hull's first entry in the index buffer. The entries before it are the inside
+     * of the bowl. The hull is the outside and the lip of the bowl's shell. */
     uint32_t hull_first;
 };
 
 void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass);
 void bowl_pass_close(struct bowl_pass *pass);
 
-/* Removes the tank's water surface from the depth buffer inside the bowl's mouth. */
-void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl);
-/* Draws the bowl's enamelled shell. If `is_hull` is true, draws only the outside and the lip,
- * because the picture of the objects below the water surface needs no more. Otherwise also draws
- * the inside, which the picture of the objects above the surface needs. */
-void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics,
-                     bool is_hull);
+/* Draws the inside of the bowl's enamelled shell. */
+void bowl_pass_inside(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);
+/* Draws the outside and the lip of the bowl's enamelled shell. */
+void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl);
 /* Draws the surface of the water in the bowl. */
 void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl);
+/* Writes a depth just above the tank's water surface where the viewer looks into the bowl's mouth.
+ * Must be called after the contents of the bowl and before the tank's water surface are drawn. The
+ * tank's water then does not cover the contents, although they are deeper. */
+void bowl_pass_cap(const struct bowl_pass *pass, const struct scene_bowl *bowl);

@@ -262,7 +262,7 @@ void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi)
     glUniform4fv(pass->frame_paint, 1, poi_paint(poi->owner));
     glEnable(GL_BLEND);
     glEnable(GL_CULL_FACE);
-    shape_draw(&pass->solid, 0);
+    shape_draw(&pass->solid);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
 }
@@ -302,6 +302,6 @@ void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint
                 is_below ? 1.0f : 0.0f, poi->warning);
     glUniform2f(program->pool, pool.level_m, f_smoothstep(0.0f, FILM_SHINES_M, pool.film_m));
     glEnable(GL_BLEND);
-    shape_draw(&pass->disc, 0);
+    shape_draw(&pass->disc);
     glDisable(GL_BLEND);
 }
