@@ -1,7 +1,8 @@
-/* input_mux.c -- implements the input multiplexer: assigns sources to slots, and polls the sources
- * that have no slot. */
+/* input_mux.c -- implements the input multiplexers: assigns sources to slots, polls the sources
+ * that have no slot, and merges the samples of the button devices. */
 #include "drivers/input_mux.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "core/base/panic.h"
@@ -183,4 +184,75 @@ int input_mux_add(struct input_mux *mux, const struct input_source *source)
     }
     mux->source[mux->source_count++] = *source;
     return 0;
+}
+
+/* ---- Merged buttons -------------------------------------------------------------------------- */
+
+int input_buttons_add(struct input_buttons *buttons, struct hal_buttons part)
+{
+    CORE_ASSERT(part.ops);
+    if (buttons->part_count == INPUT_BUTTONS_MAX) {
+        return -1;
+    }
+    buttons->part[buttons->part_count++] = part;
+    return 0;
+}
+
+/* Polls all parts. Returns HAL_OK if at least one part is present, otherwise HAL_ERR_ABSENT. The
+ * sample of a part whose poll fails is merged too. */
+static int buttons_poll(void *self, struct button_sample *out)
+{
+    const struct input_buttons *buttons = self;
+    CORE_ASSERT(out && buttons->part_count <= INPUT_BUTTONS_MAX);
+    int result = HAL_ERR_ABSENT;
+    *out = (struct button_sample){ 0 };
+    for (uint32_t i = 0; i < buttons->part_count; i++) {
+        struct button_sample part = { 0 };
+        if (buttons->part[i].ops->poll(buttons->part[i].self, &part) != HAL_ERR_ABSENT) {
+            result = HAL_OK;
+        }
+        out->held |= part.held;
+        out->pressed |= part.pressed;
+        out->raw |= part.raw;
+        out->missing |= part.missing;
+        out->quit |= part.quit;
+        out->full_screen |= part.full_screen;
+        out->faults += part.faults;
+        for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+            out->coin_count[line] += part.coin_count[line];
+        }
+        for (uint32_t line = 0; line < HAL_LINE_COUNT; line++) {
+            out->line[line].edges += part.line[line].edges;
+            out->line[line].faults += part.line[line].faults;
+        }
+    }
+    return result;
+}
+
+/* Joins the descriptions of the parts with "; ". If consecutive parts have equal descriptions, the
+ * description is written only once. For example, four controllers may have equal descriptions. */
+static const char *buttons_describe(void *self)
+{
+    struct input_buttons *buttons = self;
+    const char *before = "";
+    size_t length = 0;
+    buttons->text[0] = '\0';
+    for (uint32_t i = 0; i < buttons->part_count && length + 1 < sizeof buttons->text; i++) {
+        const char *line = buttons->part[i].ops->describe(buttons->part[i].self);
+        if (line[0] && strcmp(line, before) != 0) {
+            before = line;
+            snprintf(buttons->text + length, sizeof buttons->text - length, "%s%s",
+                     length ? "; " : "", line);
+            length = strlen(buttons->text);
+        }
+    }
+    return buttons->text;
+}
+
+struct hal_buttons input_buttons_device(struct input_buttons *buttons)
+{
+    CORE_ASSERT(buttons->part_count <= INPUT_BUTTONS_MAX);
+    static const struct hal_buttons_ops ops = { .poll = buttons_poll,
+                                                .describe = buttons_describe };
+    return (struct hal_buttons){ .ops = &ops, .self = buttons };
 }

@@ -1,4 +1,5 @@
-/* input_mux.h -- the input multiplexer: assigns controllers to the players' slots.
+/* input_mux.h -- the input multiplexers: one assigns controllers to the players' slots, and one
+ * merges several button devices (keyboard, GPIO lines, controllers) into one device.
  *
  * A slot is the place of one of up to POI_MAX controllers at the tank. A source is a controller
  * with its poi (the paper scoop that it moves) and its fan. Sources come and go while the kiosk
@@ -10,7 +11,10 @@
  * free source of the same kind exists.
  *
  * Sources without a slot are polled too, so that their reports do not accumulate. The buttons of
- * these sources are used, and the controller manager can learn the mappings of these sources. */
+ * these sources are used, and the controller manager can learn the mappings of these sources.
+ *
+ * A button of the merged device is held while at least one part (merged device) holds it. The
+ * counts of edges, coins and faults are the sums over all parts. */
 #pragma once
 
 #include <stdbool.h>
@@ -71,3 +75,21 @@ int input_mux_add(struct input_mux *mux, const struct input_source *source);
  * SLOT_NONE, and is updated. `kind` holds the kinds of the `count` sources. `present` has one bit
  * for each available source. */
 void input_mux_assign(uint8_t slot[POI_MAX], const uint8_t *kind, uint32_t count, uint32_t present);
+
+/* Largest number of parts: the keyboard, the cabinet's lines, and one part for each controller. */
+#define INPUT_BUTTONS_MAX 12u
+
+struct input_buttons {
+    struct hal_buttons part[INPUT_BUTTONS_MAX];
+    uint32_t part_count;
+    /* Descriptions of all parts, joined into one text that is truncated to the size of the
+     * buffer. */
+    char text[3u * HAL_TEXT_SIZE];
+};
+
+/* Adds a part. Parts are polled in the order in which they were added. Returns 0, or -1 if there
+ * are INPUT_BUTTONS_MAX parts already. After -1 the new part is ignored. */
+int input_buttons_add(struct input_buttons *buttons, struct hal_buttons part);
+
+/* Returns the merged button device. */
+struct hal_buttons input_buttons_device(struct input_buttons *buttons);

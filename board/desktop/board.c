@@ -31,7 +31,7 @@ static struct {
     struct storage storage;
     struct watchdog watchdog;
     struct pin_sweep sweep;
-    struct buttons_mux join;
+    struct input_buttons buttons;
     struct buttons_keyboard keyboard;
     struct gpio_thread gpio;
     bool has_gpio;
@@ -87,7 +87,7 @@ static void open_lines(struct hal *hal, const struct board_options *options)
         return;
     }
     log_missing_lines(wires);
-    buttons_mux_add(&devices.join, gpio_thread_buttons(&devices.gpio));
+    input_buttons_add(&devices.buttons, gpio_thread_buttons(&devices.gpio));
     hal->switches = gpio_thread_switches(&devices.gpio);
 }
 
@@ -99,19 +99,19 @@ static void panel_open(struct hal *hal, const struct board_options *options)
     static const Uint32 types[] = { SDL_KEYDOWN,     SDL_KEYUP,           SDL_TEXTINPUT,
                                     SDL_TEXTEDITING, SDL_TEXTEDITING_EXT, SDL_KEYMAPCHANGED };
     CORE_ASSERT(options);
-    devices.join = (struct buttons_mux){ 0 };
+    devices.buttons = (struct input_buttons){ 0 };
     if (options->keyboard == BOARD_KEYBOARD_OFF) {
         screen_ignore(types, sizeof types / sizeof types[0]);
     } else {
         devices.keyboard = (struct buttons_keyboard){ 0 };
-        buttons_mux_add(&devices.join, buttons_keyboard_device(&devices.keyboard));
+        input_buttons_add(&devices.buttons, buttons_keyboard_device(&devices.keyboard));
     }
-    controllers_add_buttons(&devices.join);
-    /* The GPIO lines are added last, because buttons_mux joins the descriptions in the order of
+    controllers_add_buttons(&devices.buttons);
+    /* The GPIO lines are added last, because input_mux joins the descriptions in the order of
      * addition. The earlier descriptions name the keys to press. The description of the GPIO lines
      * names the missing lines. */
     open_lines(hal, options);
-    hal->buttons = buttons_mux_device(&devices.join);
+    hal->buttons = input_buttons_device(&devices.buttons);
 }
 
 /* ---- Sound, store and watchdog --------------------------------------------------------------- */

@@ -248,16 +248,16 @@ void controllers_open(struct hal *hal, const struct board_options *options)
     }
 }
 
-void controllers_add_buttons(struct buttons_mux *join)
+void controllers_add_buttons(struct input_buttons *buttons)
 {
     for (uint32_t i = 0; usb.transport && i < POI_MAX; i++) {
-        buttons_mux_add(join, poi_hid_devices(&usb.poi[i]).buttons);
+        input_buttons_add(buttons, poi_hid_devices(&usb.poi[i]).buttons);
     }
     if (devices.gamepads.is_open) {
-        buttons_mux_add(join, gamepad_poi_devices(&devices.gamepads, 0).buttons);
+        input_buttons_add(buttons, gamepad_poi_devices(&devices.gamepads, 0).buttons);
     }
     if (devices.has_pointer) {
-        buttons_mux_add(join, mouse_poi_devices(&devices.mouse).buttons);
+        input_buttons_add(buttons, mouse_poi_devices(&devices.mouse).buttons);
     }
 }
 

@@ -7,7 +7,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "drivers/buttons_mux.h"
 #include "drivers/gamepad/gamepads.h"
 #include "drivers/input_mux.h"
 #include "platform/board.h"
@@ -25,7 +24,7 @@ void controllers_open(struct hal *hal, const struct board_options *options);
 
 /* Adds the buttons of the USB controllers, of the game pads and of the pointer to the merged
  * buttons. */
-void controllers_add_buttons(struct buttons_mux *join);
+void controllers_add_buttons(struct input_buttons *buttons);
 
 /* Closes the devices of controllers_open(): returns the USB devices to the kernel drivers and ends
  * the event thread. */

@@ -1,4 +1,9 @@
-/* music.h -- plays the festival music (score.h) with two flutes and the drums.
+/* music.h -- the festival music: an original tune in the manner of the bands at summer festivals
+ * (matsuri-bayashi), as constants, and its player, which has two flutes and the drums.
+ *
+ * The tune uses the yo scale on E. The calm part uses the miyako-bushi scale on E. A beat has three
+ * steps, so that two notes in a beat swing as 2 : 1. A bar has four beats, and a phrase has two
+ * bars. Each phrase is chosen from several variants.
  *
  * The seed chooses the phrases, the drums of each bar, the ornaments of the flute, and small
  * deviations of time and strength. The music is endless: after its last part the form begins again
@@ -9,6 +14,42 @@
 
 #include "core/sound/drum.h"
 #include "core/sound/flute.h"
+
+#define SCORE_STEPS_PER_BAR 12u
+#define SCORE_STEPS_PER_PHRASE (2u * SCORE_STEPS_PER_BAR)
+#define SCORE_VARIANTS_MAX 4u
+
+/* Melody of one phrase. Each pair of characters is a note: its pitch and its length in steps as a
+ * hexadecimal digit. The lengths add up to SCORE_STEPS_PER_PHRASE.
+ *
+ * Pitches, from low to high: d e g a b D E G A B; f c F are further pitches of the calm part. A
+ * minus sign is a rest. */
+typedef const char *score_melody;
+
+/* Drums of one bar: a string of SCORE_STEPS_PER_BAR characters for each instrument. A point is a
+ * rest.
+ *
+ * Large drum: D loud, d soft, K rim. Small drum: T loud, t soft, R two quick strokes.
+ * Bell: C in the middle, c at the edge. */
+struct score_bar {
+    const char *taiko, *shime, *bell;
+};
+
+/* A part of the form, of `phrases` phrases. The last phrase of a part is chosen from `close`. */
+struct score_part {
+    uint8_t phrases;
+    uint8_t beats_per_min;
+    uint8_t melody_count, close_count, bar_count;
+    score_melody melody[SCORE_VARIANTS_MAX], close[SCORE_VARIANTS_MAX];
+    struct score_bar bar[SCORE_VARIANTS_MAX];
+    struct score_bar fill; /* Drums of the last bar of the part. */
+};
+
+#define SCORE_PARTS 8u
+extern const struct score_part score_parts[SCORE_PARTS];
+
+/* Returns the pitch of a melody's character in Hz, or 0 for a rest. */
+float music_hz(char pitch);
 
 struct music {
     uint32_t seed;

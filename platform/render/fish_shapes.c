@@ -2,7 +2,6 @@
 #include "platform/render/fish_shapes.h"
 
 #include "core/base/panic.h"
-#include "platform/render/half_float.h"
 
 _Static_assert(SCENE_FISH_MAX <= GL_TEXTURE_SURE && 2u * MESH_VERTEX_MAX <= GL_TEXTURE_SURE,
                "a row for each fish, on every driver");

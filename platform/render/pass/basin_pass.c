@@ -6,7 +6,6 @@
 
 #include "core/base/panic.h"
 #include "platform/render/gl_util.h"
-#include "platform/render/half_float.h"
 #include "shaders.h"
 
 /* A corner of the tank. The coordinates are small integers. The vertex shaders wall.vert.glsl and

@@ -8,7 +8,6 @@
 #include <cmocka.h>
 
 #include "core/sound/music.h"
-#include "core/sound/score.h"
 
 static uint32_t hex(char c)
 {
@@ -19,7 +18,7 @@ static void check_melody(const char *melody)
 {
     uint32_t steps = 0;
     for (; melody[0] != '\0'; melody += 2) {
-        const float hz = score_hz(melody[0]);
+        const float hz = music_hz(melody[0]);
         assert_true(hz == 0.0f || (hz > 580.0f && hz < 2000.0f));
         steps += hex(melody[1]);
     }

@@ -1,5 +1,5 @@
-/* test_buttons_mux.c -- tests the multiplexer that combines several button panels (keyboard, GPIO)
- * into one. */
+/* test_input_buttons.c -- tests the multiplexer that combines several button panels (keyboard,
+ * GPIO) into one. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/buttons_mux.h"
+#include "drivers/input_mux.h"
 #include "drivers/null.h"
 
 struct panel {
@@ -38,16 +38,16 @@ static struct hal_buttons device_of(struct panel *panel)
     return (struct hal_buttons){ .ops = &ops, .self = panel };
 }
 
-static int poll_join(struct buttons_mux *join, struct button_sample *out)
+static int poll_join(struct input_buttons *join, struct button_sample *out)
 {
-    const struct hal_buttons device = buttons_mux_device(join);
+    const struct hal_buttons device = input_buttons_device(join);
     return device.ops->poll(device.self, out);
 }
 
 static void test_input_of_any_panel_is_reported(void **state)
 {
     (void)state;
-    struct buttons_mux join = { 0 };
+    struct input_buttons join = { 0 };
     struct button_sample sum;
     struct panel keys = {
         .sample = { .held = INPUT_START,
@@ -66,8 +66,8 @@ static void test_input_of_any_panel_is_reported(void **state)
                     .faults = 3,
                     .full_screen = 1 },
     };
-    buttons_mux_add(&join, device_of(&keys));
-    buttons_mux_add(&join, device_of(&lines));
+    input_buttons_add(&join, device_of(&keys));
+    input_buttons_add(&join, device_of(&lines));
     assert_int_equal(poll_join(&join, &sum), HAL_OK);
     assert_int_equal(sum.held, INPUT_START | INPUT_LEFT);
     assert_int_equal(sum.pressed, INPUT_START | INPUT_OK);
@@ -84,12 +84,12 @@ static void test_input_of_any_panel_is_reported(void **state)
 static void test_a_button_is_held_while_any_panel_holds_it(void **state)
 {
     (void)state;
-    struct buttons_mux join = { 0 };
+    struct input_buttons join = { 0 };
     struct button_sample sum;
     struct panel left = { .sample.held = INPUT_OK };
     struct panel right = { .sample.held = INPUT_OK };
-    buttons_mux_add(&join, device_of(&left));
-    buttons_mux_add(&join, device_of(&right));
+    input_buttons_add(&join, device_of(&left));
+    input_buttons_add(&join, device_of(&right));
     left.sample.held = 0;
     poll_join(&join, &sum);
     assert_int_equal(sum.held, INPUT_OK);
@@ -101,13 +101,13 @@ static void test_a_button_is_held_while_any_panel_holds_it(void **state)
 static void test_an_absent_panel_is_no_fault(void **state)
 {
     (void)state;
-    struct buttons_mux join = { 0 };
+    struct input_buttons join = { 0 };
     struct button_sample sum;
     struct panel keys = { .sample.pressed = INPUT_TEST, .line = "keys" };
     assert_int_equal(poll_join(&join, &sum), HAL_ERR_ABSENT);
-    buttons_mux_add(&join, null_hal("no lines").buttons);
+    input_buttons_add(&join, null_hal("no lines").buttons);
     assert_int_equal(poll_join(&join, &sum), HAL_ERR_ABSENT);
-    buttons_mux_add(&join, device_of(&keys));
+    input_buttons_add(&join, device_of(&keys));
     assert_int_equal(poll_join(&join, &sum), HAL_OK);
     assert_int_equal(sum.pressed, INPUT_TEST);
 }
@@ -117,12 +117,12 @@ static void test_an_absent_panel_is_no_fault(void **state)
 static void test_a_failed_panel_does_not_affect_the_others(void **state)
 {
     (void)state;
-    struct buttons_mux join = { 0 };
+    struct input_buttons join = { 0 };
     struct button_sample sum;
     struct panel broken = { .result = HAL_ERR_IO, .sample.faults = 1 };
     struct panel keys = { .sample.pressed = INPUT_TEST };
-    buttons_mux_add(&join, device_of(&broken));
-    buttons_mux_add(&join, device_of(&keys));
+    input_buttons_add(&join, device_of(&broken));
+    input_buttons_add(&join, device_of(&keys));
     assert_int_equal(poll_join(&join, &sum), HAL_OK);
     assert_int_equal(sum.pressed, INPUT_TEST);
     assert_int_equal(sum.faults, 1);
@@ -132,25 +132,25 @@ static void test_the_description_names_every_panel_and_is_truncated(void **state
 {
     (void)state;
     char long_line[HAL_TEXT_SIZE];
-    struct buttons_mux join = { 0 };
+    struct input_buttons join = { 0 };
     struct panel keys = { .line = "keys" };
     struct panel silent = { .line = "" };
     struct panel lines = { .line = "5 lines" };
     struct panel talker = { .line = long_line };
     memset(long_line, 'x', sizeof long_line);
     long_line[sizeof long_line - 1] = '\0';
-    const struct hal_buttons device = buttons_mux_device(&join);
-    buttons_mux_add(&join, device_of(&keys));
-    buttons_mux_add(&join, device_of(&silent));
-    buttons_mux_add(&join, device_of(&lines));
+    const struct hal_buttons device = input_buttons_device(&join);
+    input_buttons_add(&join, device_of(&keys));
+    input_buttons_add(&join, device_of(&silent));
+    input_buttons_add(&join, device_of(&lines));
     assert_string_equal(device.ops->describe(device.self), "keys; 5 lines");
-    buttons_mux_add(&join, device_of(&lines));
+    input_buttons_add(&join, device_of(&lines));
     /* Two consecutive panels have the same description, so the multiplexer lists this text only
      * once. */
     assert_string_equal(device.ops->describe(device.self), "keys; 5 lines");
     for (uint32_t i = 0; i < 4; i++) {
-        buttons_mux_add(&join, device_of(&talker));
-        buttons_mux_add(&join, device_of(&keys));
+        input_buttons_add(&join, device_of(&talker));
+        input_buttons_add(&join, device_of(&keys));
     }
     assert_int_equal(strlen(device.ops->describe(device.self)), sizeof join.text - 1);
 }
@@ -158,15 +158,15 @@ static void test_the_description_names_every_panel_and_is_truncated(void **state
 static void test_a_panel_beyond_the_maximum_is_rejected_and_never_polled(void **state)
 {
     (void)state;
-    struct buttons_mux join = { 0 };
+    struct input_buttons join = { 0 };
     struct button_sample sum;
     struct panel panel = { .sample.coin_count[0] = 1 };
-    for (uint32_t i = 0; i < BUTTONS_MUX_MAX; i++) {
-        assert_int_equal(buttons_mux_add(&join, device_of(&panel)), 0);
+    for (uint32_t i = 0; i < INPUT_BUTTONS_MAX; i++) {
+        assert_int_equal(input_buttons_add(&join, device_of(&panel)), 0);
     }
-    assert_int_equal(buttons_mux_add(&join, device_of(&panel)), -1);
+    assert_int_equal(input_buttons_add(&join, device_of(&panel)), -1);
     poll_join(&join, &sum);
-    assert_int_equal(panel.asked, BUTTONS_MUX_MAX);
+    assert_int_equal(panel.asked, INPUT_BUTTONS_MAX);
 }
 
 int main(void)
