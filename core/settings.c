@@ -59,6 +59,13 @@ static const struct setting table[SETTING_COUNT] = {
     [SET_SIDE] = { "side", GROUP_GAME, KIND_CHOICE, 0, BOWL_SIDE_COUNT - 1, 1,
                    BOWL_BY_FIRST_DIP, 10 },
     [SET_TEXT] = { "text", GROUP_PICTURE, KIND_CHOICE, 0, 2, 1, 0, 10 },
+    [SET_MUSIC] = { "music", GROUP_SOUND, KIND_CHOICE, 0, SETTING_SOUND_STEPS - 1, 1, 0, 11 },
+    [SET_EFFECTS] = { "effects", GROUP_SOUND, KIND_CHOICE, 0, SETTING_SOUND_STEPS - 1, 1, 0, 11 },
+    [SET_QUIET_VOLUME] = { "quiet-volume", GROUP_SOUND, KIND_CHOICE, 0, QUIET_VOLUME_COUNT - 1, 1,
+                           QUIET_VOLUME_50, 11 },
+    [SET_QUIET_FROM_MIN] = { "quiet-from", GROUP_SOUND, KIND_MINUTE, 0, 1425, 15, 0, 11 },
+    [SET_QUIET_TO_MIN] = { "quiet-to", GROUP_SOUND, KIND_MINUTE, 0, 1425, 15, 0, 11 },
+    [SET_TIME] = { "time", GROUP_PICTURE, KIND_CHOICE, 0, 1, 1, 0, 11 },
 };
 /* clang-format on */
 
@@ -112,7 +119,8 @@ void settings_sanitize(struct settings *settings)
 #define STRUCT settings
 const struct field_table settings_fields =
     FIELD_TABLE(settings, FIELD_RANGE(value[0], SET_LEVEL), FIELD_SINCE(9, value[SET_LEVEL], 1),
-                FIELD_RANGE_SINCE(10, value[SET_DIP], SETTING_COUNT - SET_DIP, 2));
+                FIELD_RANGE_SINCE(10, value[SET_DIP], SET_MUSIC - SET_DIP, 2),
+                FIELD_RANGE_SINCE(11, value[SET_MUSIC], SETTING_COUNT - SET_MUSIC, 6));
 #undef STRUCT
 
 uint64_t settings_hash(uint64_t hash, const struct settings *settings, bool hashes_pin)

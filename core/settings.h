@@ -73,6 +73,19 @@ enum setting_id {
     SET_REACH,
     SET_SIDE, /* Side of the bowl of a player who plays alone (enum bowl_side). */
     SET_TEXT, /* Size of small texts on the pages for players: 0 normal, 1 large, 2 largest. */
+    /* Sound settings, which recordings have since format 11. SET_MUSIC and SET_EFFECTS are relative
+     * to SET_VOLUME: 0 is full, 1 to 3 are 75, 50 and 25 per cent, and 4 is silent. SET_MUSIC also
+     * applies to the sounds around the stall. */
+    SET_MUSIC,
+    SET_EFFECTS,
+    SET_QUIET_VOLUME,   /* Volume in the quiet hours (enum quiet_volume). */
+    SET_QUIET_FROM_MIN, /* Minute of the day at which the quiet hours begin. */
+    /* Minute of the day at which the quiet hours end. If the value equals SET_QUIET_FROM_MIN, no
+     * hour is quiet. */
+    SET_QUIET_TO_MIN,
+    /* Light of the stall: 0 is night with bulbs and lanterns, and 1 is day. The setting belongs to
+     * the picture settings. Recordings have it since format 11. */
+    SET_TIME,
     SETTING_COUNT,
 };
 
@@ -91,6 +104,18 @@ enum bowl_side {
     BOWL_RIGHT,
     BOWL_LEFT,
     BOWL_SIDE_COUNT,
+};
+
+/* Number of values of SET_MUSIC and SET_EFFECTS. */
+#define SETTING_SOUND_STEPS 5
+
+/* Values of SET_QUIET_VOLUME: shares of SET_VOLUME in per cent. */
+enum quiet_volume {
+    QUIET_VOLUME_50 = 0,
+    QUIET_VOLUME_30,
+    QUIET_VOLUME_15,
+    QUIET_VOLUME_SILENT,
+    QUIET_VOLUME_COUNT,
 };
 
 /* Smallest value of SET_REACH except 0. */

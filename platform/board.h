@@ -62,7 +62,6 @@ struct board_options {
     /* Width of the picture without its words, in per cent of the screen's width. 0 means the
      * renderer's default for the graphics hardware. */
     uint32_t detail;
-    bool is_day; /* True if the stall is drawn in daylight, false at night with lanterns. */
     bool mute;
     const char *data_dir; /* Folder of the store. Null means that nothing is stored. */
     struct view view;     /* Camera view from which the rays of a pointer device start. */

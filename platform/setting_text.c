@@ -33,6 +33,10 @@ static struct words words_of(uint32_t id)
         [SET_DIP] = { 2, { "hold", "click" } },
         [SET_SIDE] = { BOWL_SIDE_COUNT, { "dip", "right", "left" } },
         [SET_TEXT] = { 3, { "normal", "large", "largest" } },
+        [SET_MUSIC] = { SETTING_SOUND_STEPS, { "100", "75", "50", "25", "silent" } },
+        [SET_EFFECTS] = { SETTING_SOUND_STEPS, { "100", "75", "50", "25", "silent" } },
+        [SET_QUIET_VOLUME] = { QUIET_VOLUME_COUNT, { "50", "30", "15", "silent" } },
+        [SET_TIME] = { 2, { "night", "day" } },
         [SET_ROTATION] = { 4, { "0", "90", "180", "270" } },
         /* The value is the paper grade of the poi (the paper scoop). Value 0 means the game mode's
          * own grade. Values 1 to 3 have no name because they are not valid. */
@@ -235,7 +239,7 @@ static const char *const help[SETTING_COUNT] = {
         ("Default language, to which a visitor's choice returns. Without this setting it is the "
          "language of the machine's locale."),
     [SET_NAMES] = "Whether a player who is ranked can enter a name.",
-    [SET_VOLUME] = "Volume in per cent of the full volume.",
+    [SET_VOLUME] = "Volume of all sounds in per cent of the full volume. 0 means silent.",
     [SET_ATTRACT_SOUND] =
         ("Every n-th loop of the demonstration has sound, where n is the value. 0 "
          "means no sound."),
@@ -266,6 +270,20 @@ static const char *const help[SETTING_COUNT] = {
         ("Side of the bowl of a player who plays alone. With dip, the bowl is on the side where "
          "the visitor dips to end the demonstration, and otherwise on the right."),
     [SET_TEXT] = "Size of small texts on the pages for players.",
+    [SET_MUSIC] =
+        ("Volume of the music and of the sounds around the stall, in per cent of volume, or "
+         "silent."),
+    [SET_EFFECTS] =
+        ("Volume of the sounds of the game, in per cent of volume, or silent. They include "
+         "coins, calls and results."),
+    [SET_QUIET_VOLUME] =
+        ("Volume of all sounds in the quiet hours, in per cent of volume, or silent. The "
+         "operator's menu keeps its volume."),
+    [SET_QUIET_FROM_MIN] = ("Time of day at which the quiet hours begin. The machine needs a "
+                            "correct clock."),
+    [SET_QUIET_TO_MIN] = ("Time of day at which the quiet hours end. The time of quiet-from means "
+                          "that there are none."),
+    [SET_TIME] = "Light of the stall: night with bulbs and lanterns, or day.",
     [SET_PIN] = "Four digits that open the operator's menu. 0 means that the menu needs no PIN.",
 };
 

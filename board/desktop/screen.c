@@ -41,7 +41,6 @@ void screen_open(struct hal *hal, const struct board_options *options)
         .width = options->width,
         .height = options->height,
         .scene_scale = 0.01f * (float)options->detail,
-        .is_day = options->is_day,
         .full_screen = options->full_screen != 0,
         .off_screen = options->off_screen != 0,
         .on_demand = options->on_demand != 0,

@@ -168,7 +168,6 @@ static bool set_setting(void *target, const struct option *option, const char *t
 
 /* ---- Table of options ---------------------------------------------------------------------- */
 
-static const char *const time_names[] = { "night", "day", NULL };
 static const char *const poi_names[] = { "auto", "mouse", "touch", "pad", "usb", "bot", NULL };
 static const char *const keyboard_names[] = { "auto", "on", "off", NULL };
 const char *const options_tank_names[] = { "festival", "thesis", "official", NULL };
@@ -194,8 +193,8 @@ static const struct option table[] = {
       "width of the picture without its words, in per cent of the screen's; the default depends on "
       "the graphics hardware", OPTION_WHOLE, AT(detail), .min = 25, .max = 100,
       .section = "picture" },
-    { "time", "WHEN", "light of the stall: night with bulbs and lanterns, or day", OPTION_CHOICE,
-      AT(time), .choices = time_names, .section = "picture" },
+    { "time", "WHEN", "light of the stall: night with bulbs and lanterns, or day", SET(set_one),
+      .id = SET_TIME, .expects = "night or day", .section = "" },
     { "poi", "KIND", "controller of the first player; with bot, the bot plays for all players",
       OPTION_CHOICE, AT(poi), .choices = poi_names, .section = "devices" },
     { "dip", "HOW", "with a mouse or touch screen: hold to dip, or click to dip and to lift",

@@ -36,8 +36,7 @@ struct options {
     /* Width of the picture without its words, in per cent of the screen's width. 0 means that the
      * renderer chooses the width for the graphics hardware. */
     uint32_t detail;
-    uint8_t time; /* Time of day of the picture: 0 is night, and 1 is day. */
-    uint8_t poi;  /* Kind of controller that moves the poi (enum board_poi). */
+    uint8_t poi; /* Kind of controller that moves the poi (enum board_poi). */
     bool has_seed;
     uint32_t seed;
     uint8_t tank; /* Tank preset of the game (enum tank_preset_id). */

@@ -106,7 +106,7 @@ void kiosk_send_results(struct kiosk *kiosk, const struct hal *hal)
     const struct hal_storage *storage = &hal->storage;
     kiosk->faults.audio += output_audio_play(
         &kiosk->voice, &hal->audio, &kiosk->output, &kiosk->core.config.persistent.settings,
-        kiosk->output.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
+        &kiosk->input, kiosk->output.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
     if (!is_replay) {
         kiosk->faults.switches += output_lines_put(&kiosk->switches, &hal->switches, &kiosk->output,
                                                    hal_now_ns(hal->clock));

@@ -29,9 +29,23 @@ void output_audio_open(struct output_audio *voice, const struct hal_audio *audio
 #define ATTRACT_LEVEL 0.6f
 #define PAGE_LEVEL 0.5f
 
-/* Returns the levels for the present phase of the game. */
+/* Returns true if the time of day of `input` is in the hours that begin at the setting `from` and
+ * end at the setting `to`. The hours may include midnight. Equal settings mean no hours. Without a
+ * correct clock the result is false. */
+static bool is_in_hours(const struct settings *settings, enum setting_id from, enum setting_id to,
+                        const struct input *input)
+{
+    const int32_t begin = settings->value[from], end = settings->value[to];
+    const bool is_after = input->minute >= begin, is_before = input->minute < end;
+    return input->day != 0 && begin != end &&
+           (begin < end ? is_after && is_before : is_after || is_before);
+}
+
+/* Returns the levels for the present phase of the game and the time of day. A level is the square
+ * of its setting, because hearing follows a power law: half of the setting then sounds about half
+ * as loud. In the operator's menu no hour is quiet, because the operator listens to the tests. */
 static struct sound_levels levels_of(const struct settings *settings, const struct output *output,
-                                     bool is_silent)
+                                     const struct input *input, bool is_silent)
 {
     static const float music_in_phase[] = {
         [PHASE_ATTRACT] = ATTRACT_LEVEL,
@@ -47,12 +61,17 @@ static struct sound_levels levels_of(const struct settings *settings, const stru
         [PHASE_LEADERBOARD] = PAGE_LEVEL,
     };
     CORE_ASSERT(output->phase < sizeof music_in_phase / sizeof music_in_phase[0]);
-    /* The level is the square of the setting, because hearing follows a power law: half of the
-     * setting then sounds about half as loud. */
-    const float share = is_silent ? 0.0f : 0.01f * (float)settings->value[SET_VOLUME];
-    const float music = share * share * music_in_phase[output->phase];
+    static const float steps[SETTING_SOUND_STEPS] = { 1.0f, 0.75f, 0.50f, 0.25f, 0.0f };
+    static const float quiet[QUIET_VOLUME_COUNT] = { 0.50f, 0.30f, 0.15f, 0.0f };
+    const bool is_quiet = output->phase != PHASE_MENU &&
+                          is_in_hours(settings, SET_QUIET_FROM_MIN, SET_QUIET_TO_MIN, input);
+    const float share = (is_silent ? 0.0f : 0.01f * (float)settings->value[SET_VOLUME]) *
+                        (is_quiet ? quiet[settings->value[SET_QUIET_VOLUME]] : 1.0f);
+    const float of_effects = share * steps[settings->value[SET_EFFECTS]];
+    const float of_music = share * steps[settings->value[SET_MUSIC]];
+    const float music = of_music * of_music * music_in_phase[output->phase];
     return (struct sound_levels){
-        .effects = share * share,
+        .effects = of_effects * of_effects,
         .music = music,
         .ambience = music,
         .song = output->round_tick,
@@ -62,7 +81,7 @@ static struct sound_levels levels_of(const struct settings *settings, const stru
 
 uint32_t output_audio_play(struct output_audio *voice, const struct hal_audio *audio,
                            const struct output *output, const struct settings *settings,
-                           bool is_attract, uint64_t now_ns)
+                           const struct input *input, bool is_attract, uint64_t now_ns)
 {
     CORE_ASSERT(output->sound_count <= OUTPUT_SOUND_MAX);
     uint32_t faults = 0;
@@ -77,7 +96,7 @@ uint32_t output_audio_play(struct output_audio *voice, const struct hal_audio *a
     const uint64_t section = (now_ns - voice->attract_ns) / NS_PER_S / OUTPUT_AUDIO_SHOW_S;
     const uint64_t every = (uint64_t)settings->value[SET_ATTRACT_SOUND];
     const bool is_silent = is_attract && (every == 0 || section % every != 0);
-    const struct sound_levels levels = levels_of(settings, output, is_silent);
+    const struct sound_levels levels = levels_of(settings, output, input, is_silent);
     audio->ops->set_levels(audio->self, &levels);
     if (levels.effects <= 0.0f) {
         return 0;
@@ -204,12 +223,9 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
         dimmer->was_stirred = false;
     }
     const uint64_t idle_s = (now_ns - dimmer->touched_ns) / NS_PER_S;
-    /* `wanted` is the target brightness as a fraction of the brightness that the operator has set.
-     * The following lines determine whether it is night. The night may include midnight. */
-    const int32_t from = value[SET_NIGHT_FROM_MIN], to = value[SET_NIGHT_TO_MIN];
-    const bool is_after = input->minute >= from, is_before = input->minute < to;
-    const bool is_night = input->day != 0 && from != to &&
-                          (from < to ? is_after && is_before : is_after || is_before);
+    /* `wanted` is the target brightness as a fraction of the brightness that the operator has
+     * set. */
+    const bool is_night = is_in_hours(settings, SET_NIGHT_FROM_MIN, SET_NIGHT_TO_MIN, input);
     const uint64_t dim_s = 60u * (uint64_t)value[SET_DIM_AFTER_MIN];
     const float wanted = is_night && idle_s >= DIMMER_NIGHT_IDLE_S ? 0.0f
                          : dim_s > 0 && idle_s >= dim_s            ? 0.01f * (float)value[SET_DIM]
@@ -231,5 +247,6 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
         .light = dimmer->light * 0.01f * (float)value[SET_BRIGHTNESS],
         .dips_by_click = (uint32_t)value[SET_DIP],
         .reach_percent = (uint32_t)value[SET_REACH],
+        .is_day = (uint32_t)value[SET_TIME],
     };
 }

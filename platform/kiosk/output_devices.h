@@ -32,11 +32,11 @@ struct output_audio {
  * second. */
 void output_audio_open(struct output_audio *voice, const struct hal_audio *audio, uint64_t now_ns);
 
-/* Plays the sounds of one frame with the volume of the settings. Returns the number of faults.
- * The loss of the sound card counts as one fault. */
+/* Plays the sounds of one frame with the volumes of the settings. `input` supplies the time of day.
+ * Returns the number of faults. The loss of the sound card counts as one fault. */
 uint32_t output_audio_play(struct output_audio *voice, const struct hal_audio *audio,
                            const struct output *output, const struct settings *settings,
-                           bool is_attract, uint64_t now_ns);
+                           const struct input *input, bool is_attract, uint64_t now_ns);
 
 /* ---- Lamp, lockout, counter and tickets ---------------------------------------------------- */
 

@@ -161,7 +161,6 @@ bool run_interactive_open(struct run_common *session)
         .width = options->width,
         .height = options->height,
         .detail = options->detail,
-        .is_day = options->time != 0,
         .data_dir = options->data[0] ? options->data : NULL,
         .view = tank_preset(options->tank)->view,
         .on_display_lost = on_display_lost,

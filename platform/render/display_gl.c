@@ -128,7 +128,6 @@ static int create_context(struct display_gl *display)
         .height = (uint32_t)height,
         .scene_scale = display->config.scene_scale,
         .samples = display->config.samples,
-        .is_day = display->config.is_day,
         .library = display->config.library,
     };
     if (renderer_open(&display->renderer, &wanted) != HAL_OK) {

@@ -32,7 +32,6 @@ struct display_gl_config {
     float scene_scale;
     /* Number of multisampling samples. 0 means that the renderer chooses the number. */
     uint32_t samples;
-    bool is_day; /* True if the stall is drawn in daylight, as in struct renderer_config. */
     /* Library of the species that users have drawn, as in struct renderer_config. Null means no
      * library. */
     const struct library *library;

@@ -30,8 +30,6 @@ struct renderer_config {
     float scene_scale;
     /* Number of multisampling samples. 0 means that the renderer chooses the number. */
     uint32_t samples;
-    /* True if the stall is drawn in daylight. False at night with bulbs and lanterns. */
-    bool is_day;
     /* Library of the species that users have drawn. Null means no library. The library must stay
      * valid and at the same address while the renderer is open. */
     const struct library *library;

@@ -107,7 +107,6 @@ int renderer_open(struct renderer *renderer, const struct renderer_config *confi
     GLint samples_max = 1, side_max = GL_TEXTURE_SURE;
     memset(renderer, 0, sizeof *renderer);
     renderer->config = *config;
-    renderer->frame.is_day = config->is_day;
     renderer_place(renderer, &(struct display_settings){ .light = 1.0f });
     glGetIntegerv(GL_MAX_SAMPLES, &samples_max);
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side_max);
@@ -166,6 +165,11 @@ void renderer_place(struct renderer *renderer, const struct display_settings *di
     renderer->display_settings = *display_settings;
     renderer->transform = display_transform_of(display_settings, (float)renderer->config.width,
                                                (float)renderer->config.height);
+    const bool is_day = display_settings->is_day != 0;
+    if (renderer->frame.is_day != is_day) {
+        renderer->frame.is_day = is_day;
+        basin_pass_forget(&renderer->basin); /* The picture of the deck contains the light. */
+    }
 }
 
 int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height)

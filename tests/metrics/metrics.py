@@ -86,6 +86,7 @@ FEATURE_LINES = {
     'the self-test of a board with its report, and a supply voltage that no driver measures in doctor': 153,
     'a replay as a video with sound, by ffmpeg or as pictures and a WAV file': 394,
     'black goldfish, and kinds of fish by their frequency': 8,
+    'volumes of music and effects, quiet hours, and the light in the menu': 61,
     'light of a summer night, in the shaders and on each fish, and daylight by a setting': 64,
 }
 

@@ -107,7 +107,8 @@ static void place(const struct hal_display *device, const struct shot_options *o
                                                        .inset_y = options->inset,
                                                        .shift_x = options->shift,
                                                        .shift_y = options->shift,
-                                                       .light = options->light };
+                                                       .light = options->light,
+                                                       .is_day = options->day };
     device->ops->set_transform(device->self, &display_settings);
 }
 
@@ -129,8 +130,7 @@ int main(int argc, char **argv)
                                                  .height = options.height,
                                                  .off_screen = true,
                                                  .scene_scale = options.scale,
-                                                 .samples = options.samples,
-                                                 .is_day = options.day };
+                                                 .samples = options.samples };
     const struct hal_display device = display_gl_device(&display);
     if (options.menu && !shot_menu_exists(options.menu, options.step)) {
         fprintf(stderr, "shot: --menu '%s' --step %u: no such page or step\n", options.menu,

@@ -31,7 +31,7 @@ struct menu_words {
 };
 const struct menu_words *menu_words_of(uint8_t page);
 
-#define SETTING_CHOICES_MAX 4u
+#define SETTING_CHOICES_MAX 5u
 
 /* Texts of a setting and of its values. Key 0 means no text, because key 0 is the game's title,
  * which no setting uses. */

@@ -6,6 +6,8 @@
 #define RESETS { TEXT_FOOT_RESET, BACK }
 #define SURE { TEXT_FOOT_SURE, BACK }
 #define KEYS { TEXT_FOOT_ERASE, BACK }
+#define SOUND_STEPS                                                                                \
+    { TEXT_OPT_SOUND_100, TEXT_OPT_SOUND_75, TEXT_OPT_SOUND_50, TEXT_OPT_SOUND_25, TEXT_VAL_SILENT }
 #define TURNS { TEXT_FOOT_UP, TEXT_FOOT_STANDARD, BACK }
 
 static const struct menu_words pages[MENU_PAGE_COUNT] = {
@@ -113,7 +115,8 @@ static const struct setting_words settings[SETTING_COUNT] = {
     [SET_LANGUAGE] = { TEXT_SET_LANGUAGE, TEXT_HELP_LANGUAGE,
                        .choices = { TEXT_OPT_JA, TEXT_OPT_EN } },
     [SET_NAMES] = { TEXT_SET_NAMES, TEXT_HELP_NAMES, .choices = { TEXT_OPT_NO, TEXT_OPT_YES } },
-    [SET_VOLUME] = { TEXT_SET_VOLUME, TEXT_HELP_VOLUME, .unit = TEXT_VAL_PER_CENT },
+    [SET_VOLUME] = { TEXT_SET_VOLUME, TEXT_HELP_VOLUME, .unit = TEXT_VAL_PER_CENT,
+                     .zero = TEXT_VAL_SILENT },
     [SET_ATTRACT_SOUND] = { TEXT_SET_ATTRACT_SOUND, TEXT_HELP_ATTRACT_SOUND, .unit = TEXT_VAL_LOOP,
                             .zero = TEXT_VAL_SILENT, .one = TEXT_VAL_EVERY_LOOP },
     [SET_ROTATION] = { TEXT_SET_ROTATION, TEXT_HELP_ROTATION,
@@ -138,6 +141,15 @@ static const struct setting_words settings[SETTING_COUNT] = {
     [SET_TEXT] = { TEXT_SET_TEXT, TEXT_HELP_TEXT,
                    .choices = { TEXT_OPT_TEXT_NORMAL, TEXT_OPT_TEXT_LARGE,
                                 TEXT_OPT_TEXT_LARGEST } },
+    [SET_MUSIC] = { TEXT_SET_MUSIC, TEXT_HELP_MUSIC, .choices = SOUND_STEPS },
+    [SET_EFFECTS] = { TEXT_SET_EFFECTS, TEXT_HELP_EFFECTS, .choices = SOUND_STEPS },
+    [SET_QUIET_VOLUME] = { TEXT_SET_QUIET_VOLUME, TEXT_HELP_QUIET_VOLUME,
+                           .choices = { TEXT_OPT_SOUND_50, TEXT_OPT_SOUND_30, TEXT_OPT_SOUND_15,
+                                        TEXT_VAL_SILENT } },
+    [SET_QUIET_FROM_MIN] = { TEXT_SET_QUIET_FROM, TEXT_HELP_QUIET_FROM, .choices = { 0 } },
+    [SET_QUIET_TO_MIN] = { TEXT_SET_QUIET_TO, TEXT_HELP_QUIET_TO, .choices = { 0 } },
+    [SET_TIME] = { TEXT_SET_TIME, TEXT_HELP_TIME,
+                   .choices = { TEXT_OPT_TIME_NIGHT, TEXT_OPT_TIME_DAY } },
 };
 
 const struct menu_words *menu_words_of(uint8_t page)

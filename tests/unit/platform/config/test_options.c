@@ -45,7 +45,7 @@ static void test_every_option_is_parsed(void **state)
     (void)state;
     assert_int_equal(parse(COUNT(argv), argv), 0);
     assert_int_equal(options.detail, 75);
-    assert_int_equal(options.time, 1);
+    assert_int_equal(asked(SET_TIME), 1);
     assert_int_equal(options.width, 800);
     assert_int_equal(options.height, 600);
     assert_int_equal(options.poi, BOARD_POI_BOT);

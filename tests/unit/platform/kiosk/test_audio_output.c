@@ -1,5 +1,5 @@
-/* test_audio_output.c -- Tests the volume setting, the sound in attract mode, and a sound card that
- * is plugged in late or removed. */
+/* test_audio_output.c -- Tests the settings of the volumes, the quiet hours, the sound in attract
+ * mode, and a sound card that is plugged in late or removed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,6 +19,7 @@ static struct audio_sim sim;
 static struct hal_audio audio;
 static struct settings settings;
 static struct output output;
+static struct input input;
 
 static int set_up(void **state)
 {
@@ -27,6 +28,7 @@ static int set_up(void **state)
     memset(&sim, 0, sizeof sim);
     audio = sim_audio_device(&sim);
     settings_reset(&settings);
+    memset(&input, 0, sizeof input);
     memset(&output, 0, sizeof output);
     output_sound(&output, SOUND_DIP, 0.5f, 0.0f);
     return 0;
@@ -34,7 +36,7 @@ static int set_up(void **state)
 
 static uint32_t put(int is_attract, uint64_t now_ns)
 {
-    return output_audio_play(&voice, &audio, &output, &settings, is_attract, now_ns);
+    return output_audio_play(&voice, &audio, &output, &settings, &input, is_attract, now_ns);
 }
 
 static void test_the_volume_setting_is_a_power_law_and_zero_is_silent(void **state)
@@ -88,6 +90,64 @@ static void test_music_plays_in_a_game_and_not_in_the_operators_menu(void **stat
     put(0, 2 * S);
     assert_float_equal(sim.levels.music, 0.0f, 1e-6f);
     assert_float_equal(sim.levels.effects, 1.0f, 1e-6f);
+}
+
+static void test_music_and_effects_have_volumes_of_their_own_and_each_can_be_silent(void **state)
+{
+    (void)state;
+    output_audio_open(&voice, &audio, 1 * S);
+    settings.value[SET_VOLUME] = 100;
+    output.phase = PHASE_ROUND;
+    settings.value[SET_MUSIC] = 2; /* 50 per cent */
+    put(0, 2 * S);
+    assert_float_equal(sim.levels.music, 0.25f, 1e-6f);
+    assert_float_equal(sim.levels.ambience, 0.25f, 1e-6f);
+    assert_float_equal(sim.levels.effects, 1.0f, 1e-6f);
+    settings.value[SET_MUSIC] = 4;   /* silent */
+    settings.value[SET_EFFECTS] = 1; /* 75 per cent */
+    put(0, 2 * S);
+    assert_float_equal(sim.levels.music, 0.0f, 1e-6f);
+    assert_float_equal(sim.levels.effects, 0.5625f, 1e-6f);
+    assert_int_equal(sim.played[SOUND_DIP], 2);
+    settings.value[SET_MUSIC] = 0;
+    settings.value[SET_EFFECTS] = 4;
+    put(0, 2 * S);
+    assert_float_equal(sim.levels.music, 1.0f, 1e-6f);
+    assert_float_equal(sim.levels.effects, 0.0f, 1e-6f);
+    assert_int_equal(sim.played[SOUND_DIP], 2);
+}
+
+static float effects_at(uint16_t minute, uint8_t phase)
+{
+    input.minute = minute;
+    output.phase = phase;
+    put(0, 2 * S);
+    return sim.levels.effects;
+}
+
+static void test_the_quiet_hours_lower_all_sounds_except_in_the_operators_menu(void **state)
+{
+    (void)state;
+    output_audio_open(&voice, &audio, 1 * S);
+    settings.value[SET_VOLUME] = 100;
+    settings.value[SET_QUIET_FROM_MIN] = 21 * 60;
+    settings.value[SET_QUIET_TO_MIN] = 7 * 60;
+    input.day = 20000;
+    assert_float_equal(effects_at(21 * 60 - 1, PHASE_ROUND), 1.0f, 1e-6f);
+    assert_float_equal(effects_at(21 * 60, PHASE_ROUND), 0.25f, 1e-6f);
+    assert_float_equal(sim.levels.music, 0.25f, 1e-6f);
+    assert_float_equal(effects_at(3 * 60, PHASE_ROUND), 0.25f, 1e-6f);
+    assert_float_equal(effects_at(3 * 60, PHASE_MENU), 1.0f, 1e-6f);
+    assert_float_equal(effects_at(7 * 60, PHASE_ROUND), 1.0f, 1e-6f);
+    settings.value[SET_QUIET_VOLUME] = QUIET_VOLUME_SILENT;
+    assert_float_equal(effects_at(3 * 60, PHASE_ROUND), 0.0f, 1e-6f);
+    assert_float_equal(sim.levels.music, 0.0f, 1e-6f);
+    /* A machine without a correct clock, and equal times, have no quiet hours. */
+    input.day = 0;
+    assert_float_equal(effects_at(3 * 60, PHASE_ROUND), 1.0f, 1e-6f);
+    input.day = 20000;
+    settings.value[SET_QUIET_TO_MIN] = 21 * 60;
+    assert_float_equal(effects_at(21 * 60, PHASE_ROUND), 1.0f, 1e-6f);
 }
 
 static uint32_t heard_in_ten_shows(int32_t every)
@@ -163,6 +223,8 @@ int main(void)
         TEST(test_a_full_frame_drops_quiet_sounds_of_the_water_first),
         TEST(test_the_volume_setting_is_a_power_law_and_zero_is_silent),
         TEST(test_music_plays_in_a_game_and_not_in_the_operators_menu),
+        TEST(test_music_and_effects_have_volumes_of_their_own_and_each_can_be_silent),
+        TEST(test_the_quiet_hours_lower_all_sounds_except_in_the_operators_menu),
         TEST(test_sound_plays_in_every_nth_attract_cycle_and_in_every_game),
         TEST(test_a_sound_card_plugged_in_after_the_start_is_used),
         TEST(test_a_silent_attract_mode_retries_the_sound_card),

@@ -445,7 +445,7 @@ static void test_a_change_that_is_reversed_gives_no_entry(void **state)
     const uint32_t before = output.entry_id;
     go_to(MENU_SOUND);
     take(row_of(MENU_SOUND, SET_VOLUME));
-    take(foot(SETTINGS_STANDARD));
+    push(INPUT_LEFT);
     steps(CORE_TICK_HZ);
     assert_int_equal(output.entry_id, before);
     assert_true(settings_edit_is_saved(&core.game.accounts.ledger, &core.game.settings_edit,
