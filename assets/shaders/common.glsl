@@ -40,6 +40,18 @@ const vec3 WHITE = vec3(1.0, 0.955, 0.90);             // Skin colour of a goldf
                                                        // is not red, as in fish_colours.c.
 const float CAUSTIC_TILES = 3.6;                       // Number of caustics tiles per metre.
 
+// Returns the vertex `index` of a triangle strip of 12 vertices: an octagon around a circle of the
+// radius `r`, and a rectangle from the octagon to y = `end` with the half width `half_width`.
+vec2 disc_and_handle(int index, float r, float half_width, float end)
+{
+    int row = index >> 1;
+    float short_side = 0.4142136 * r; // Half of a side of the octagon.
+    float x = row > 3 ? half_width : row == 1 || row == 2 ? r : short_side;
+    float y = row == 0 ? -r : row == 1 ? -short_side : row == 2 ? short_side
+        : row < 5 ? r : max(end, r);
+    return vec2((index & 1) == 0 ? -x : x, y);
+}
+
 // Converts world x, z to the player's axes: to the right, and toward the player (core/view.h).
 vec2 from_world(vec2 at)
 {

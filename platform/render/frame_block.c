@@ -34,6 +34,12 @@
  * not drawn. */
 #define SHADE_MAP_MARGIN_M 0.4f
 
+/* Width in m of the soft edge of a fan's shade at the water surface, and of a texel of the shade
+ * map, together. */
+#define SHADE_EDGE_M 0.03f
+/* Height of the lowest part of the rim and the counter, as in deck.vert.glsl. */
+#define DECK_LOW_M -0.02f
+
 /* Light of the stall. The bulbs hang over the tank at these fractions of its half width and half
  * length. In a corner of the tank, a bulb gives BULB_CORNER of the light right below it. */
 #define BULB_X 0.50f
@@ -138,27 +144,66 @@ static void find_range(uint32_t out[2], float low, float high, float shift, uint
     out[1] = (last < size_px ? last : size_px) - out[0];
 }
 
+/* Range of the picture in clip space, on both axes. */
+struct clip_range {
+    float low[2], high[2];
+};
+
+/* Extends the range by a horizontal rectangle with the middle `at` and the half size `half_m`. */
+static void add_rectangle(struct clip_range *range, const float m[16], vec3 at,
+                          const float half_m[2])
+{
+    for (uint32_t i = 0; i < 4; i++) {
+        const float x = at.x + (i & 1u ? half_m[0] : -half_m[0]);
+        const float z = at.z + (i & 2u ? half_m[1] : -half_m[1]);
+        const float w = m[3] * x + m[7] * at.y + m[11] * z + m[15];
+        for (uint32_t axis = 0; axis < 2; axis++) {
+            const float clip = m[axis] * x + m[4 + axis] * at.y + m[8 + axis] * z + m[12 + axis];
+            /* A corner behind the camera makes the range as large as the picture. */
+            range->low[axis] = w > NEAR_M ? f_min(range->low[axis], clip / w) : -1.0f;
+            range->high[axis] = w > NEAR_M ? f_max(range->high[axis], clip / w) : 1.0f;
+        }
+    }
+}
+
+/* Finds the part of the screen in which the fans shade the rim or the counter. The part is empty
+ * while all fans are over the water. */
+static void find_shaded_part(struct frame *frame, const uint32_t size_px[2])
+{
+    const float *const tank = frame->block.tank;
+    struct clip_range seen = { { 1.0f, 1.0f }, { -1.0f, -1.0f } };
+    frame->shaded_part = (struct frame_part){ 0 };
+    for (uint32_t i = 0; i < frame->shades.fan_count; i++) {
+        const float *const fan = frame->shades.circles[i];
+        const float reach_m = fan[2] + SHADE_EDGE_M;
+        if (f_abs(fan[0]) + reach_m > tank[0] || f_abs(fan[1]) + reach_m > tank[2]) {
+            const float half_m[2] = { reach_m, reach_m };
+            add_rectangle(&seen, frame->block.view_projection, v3(fan[0], DECK_LOW_M, fan[1]),
+                          half_m);
+            add_rectangle(&seen, frame->block.view_projection, v3(fan[0], tank[3], fan[1]), half_m);
+        }
+    }
+    if (seen.low[0] < seen.high[0] && seen.low[1] < seen.high[1]) {
+        uint32_t range[2][2];
+        find_range(range[0], seen.low[0], seen.high[0], 0.0f, size_px[0]);
+        find_range(range[1], seen.low[1], seen.high[1], 0.0f, size_px[1]);
+        frame->shaded_part =
+            (struct frame_part){ range[0][0], range[1][0], range[0][1], range[1][1] };
+    }
+}
+
 /* Finds the part of the underwater scene's picture that is visible through the water surface. */
 static void find_part(struct frame *frame, const uint32_t below_px[2])
 {
     const struct frame_block *const block = &frame->block;
-    const float *const m = block->view_projection;
-    float low[2] = { 1.0f, 1.0f }, high[2] = { -1.0f, -1.0f };
-    for (uint32_t i = 0; i < 4; i++) {
-        const float x = i & 1u ? block->tank[0] : -block->tank[0];
-        const float z = i & 2u ? block->tank[2] : -block->tank[2];
-        const float w = m[3] * x + m[11] * z + m[15];
-        for (uint32_t axis = 0; axis < 2; axis++) {
-            const float clip = m[axis] * x + m[8 + axis] * z + m[12 + axis];
-            /* A corner behind the camera makes the part as large as the picture. */
-            low[axis] = w > NEAR_M ? f_min(low[axis], clip / w) : -1.0f;
-            high[axis] = w > NEAR_M ? f_max(high[axis], clip / w) : 1.0f;
-        }
-    }
+    struct clip_range seen = { { 1.0f, 1.0f }, { -1.0f, -1.0f } };
+    add_rectangle(&seen, block->view_projection, v3(0.0f, 0.0f, 0.0f),
+                  (const float[2]){ block->tank[0], block->tank[2] });
     uint32_t range[2][2];
     for (uint32_t axis = 0; axis < 2; axis++) {
         const float shift = f_abs(block->bend[axis]) + f_abs(block->bend[2 + axis]);
-        find_range(range[axis], low[axis], high[axis], shift * SEEN_SLOPE_MAX, below_px[axis]);
+        find_range(range[axis], seen.low[axis], seen.high[axis], shift * SEEN_SLOPE_MAX,
+                   below_px[axis]);
     }
     frame->part = (struct frame_part){ range[0][0], range[1][0], range[0][1], range[1][1] };
 }
@@ -273,6 +318,7 @@ void frame_begin(struct frame *frame, const struct scene *scene,
                     SHADOW_DRIFT_X, SHADOW_DRIFT_Z);
     set_light(block, frame->is_day);
     struct frame_block below;
+    find_shaded_part(frame, size_px);
     find_part(frame, below_px);
     crop(frame, &below, size_px, below_px);
     glBindBuffer(GL_UNIFORM_BUFFER, frame->below_buffer);

@@ -50,6 +50,8 @@ struct frame {
     GLuint buffer, below_buffer;
     struct frame_block block;
     struct frame_part part;
+    struct frame_part shaded_part; /* Part of the screen in which fans shade the rim or the counter,
+                                      in pixels. Its width is 0 if no fan does. */
     struct frame_view view;
     float placed[4]; /* Matrix that rotates the picture on the screen, column-major. */
     struct frame_shades shades;

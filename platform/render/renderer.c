@@ -106,7 +106,7 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
             bowl_pass_hull(&renderer->bowl, &scene->bowl[i]);
         }
     }
-    basin_pass_deck(&renderer->basin, renderer->deck.texture, renderer->frame.shades.fan_count > 0);
+    basin_pass_deck(&renderer->basin, &renderer->deck, &renderer->frame.shaded_part);
     quad_pass_drips(&renderer->quad, scene);
     fish_pass_bodies(&renderer->fish, FISH_ON_POI, false, &renderer->textures, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {

@@ -290,12 +290,32 @@ void basin_pass_forget(struct basin_pass *pass)
     pass->kept = (struct deck_view){ 0 };
 }
 
-void basin_pass_deck(const struct basin_pass *pass, GLuint kept, bool is_shaded)
+/* The shades are read only in the part where fans cast them, because each texture lookup of the rim
+ * and the counter takes V3D half a millisecond on the whole screen. */
+void basin_pass_deck(const struct basin_pass *pass, const struct gl_target *kept,
+                     const struct frame_part *shaded)
 {
-    gl_bind_texture(0, GL_TEXTURE_2D, kept);
+    const GLsizei width = (GLsizei)kept->width, height = (GLsizei)kept->height;
+    const GLsizei left = (GLsizei)shaded->x, right = left + (GLsizei)shaded->width;
+    const GLsizei low = (GLsizei)shaded->y, high = low + (GLsizei)shaded->height;
+    /* Left, bottom, width and height of the shaded part, and of the parts below it, above it, and
+     * on both sides. */
+    const GLsizei parts[5][4] = { { left, low, right - left, high - low },
+                                  { 0, 0, width, low },
+                                  { 0, high, width, height - high },
+                                  { 0, low, left, high - low },
+                                  { right, low, width - right, high - low } };
+    gl_bind_texture(0, GL_TEXTURE_2D, kept->texture);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
-    draw_parts(pass, is_shaded ? PART_KEPT_SHADED : PART_KEPT, PART_COUNTER, PART_RIM);
+    glEnable(GL_SCISSOR_TEST);
+    for (uint32_t i = 0; i < 5; i++) {
+        if (parts[i][2] > 0 && parts[i][3] > 0) {
+            glScissor(parts[i][0], parts[i][1], parts[i][2], parts[i][3]);
+            draw_parts(pass, i == 0 ? PART_KEPT_SHADED : PART_KEPT, PART_COUNTER, PART_RIM);
+        }
+    }
+    glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
 }

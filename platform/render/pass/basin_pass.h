@@ -45,9 +45,10 @@ void basin_pass_keep_deck(struct basin_pass *pass, const struct frame_block *fra
 void basin_pass_forget(struct basin_pass *pass);
 /* Draws the rim and the counter (the table around the tank) from the picture `kept` of
  * basin_pass_keep_deck(). The depth test hides the parts behind nearer objects. The rim and the
- * counter write no depth, because a poi (paper scoop) is always held over the rim. `is_shaded` is
- * true if a fan casts a shade. */
-void basin_pass_deck(const struct basin_pass *pass, GLuint kept, bool is_shaded);
+ * counter write no depth, because a poi (paper scoop) is always held over the rim. `shaded` is the
+ * part of the picture in which fans cast shades; its width may be 0. */
+void basin_pass_deck(const struct basin_pass *pass, const struct gl_target *kept,
+                     const struct frame_part *shaded);
 /* Draws the reflections on the water surface and its slopes, at low resolution, into a render
  * target of their own. */
 void basin_pass_mirror(const struct basin_pass *pass, const struct textures *textures);

@@ -192,7 +192,7 @@ void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene)
         const float through = SEEN_THROUGH * f_smoothstep(SEEN_FROM_S, SEEN_TO_S, fan->still_s);
         const float *const paint = poi_paint(fan->owner);
         glUniform4f(pass->fan_trim, paint[0], paint[1], paint[2], 1.0f - through);
-        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 12);
     }
     glDisable(GL_BLEND);
 }
