@@ -105,17 +105,17 @@ static void write_sound(struct video *video)
     fwrite(stereo, sizeof stereo, 1, video->sound);
 }
 
-/* Completes the header of the WAV file. Returns 0, or the errno of the first failed write. */
+/* Completes the header of the WAV file. Returns 0, an errno, or EIO if an earlier write failed. */
 static int finish_sound(struct video *video)
 {
-    const bool has_failed = ferror(video->sound) != 0;
-    errno = 0;
-    rewind(video->sound);
-    write_wav_header(video->sound, video->count);
-    if (fflush(video->sound) == 0 && !has_failed) {
-        return 0;
+    if (ferror(video->sound) != 0) {
+        return EIO;
     }
-    return errno ? errno : EIO;
+    if (fseek(video->sound, 0, SEEK_SET) != 0) {
+        return errno;
+    }
+    write_wav_header(video->sound, video->count);
+    return fflush(video->sound) == 0 ? 0 : errno;
 }
 
 /* ---- ffmpeg -------------------------------------------------------------------------------- */
@@ -149,8 +149,9 @@ static int start_ffmpeg(const struct video *video, const char *const *words, int
 static enum exit_code report_ffmpeg(struct video *video)
 {
     char reason[REASON_SIZE] = "";
-    rewind(video->errors);
-    file_read_line(video->errors, reason, sizeof reason);
+    if (fseek(video->errors, 0, SEEK_SET) == 0) {
+        file_read_line(video->errors, reason, sizeof reason);
+    }
     return log_fail(EXIT_IO, LOG_LEVEL_ERROR, "%s: ffmpeg failed: %s",
                     video->session->options.video, reason[0] ? reason : "no reason given");
 }

@@ -48,7 +48,8 @@ void ui_bow(const struct ui_frame *frame, float x, float y, float width)
     for (uint32_t pass = 0; pass < 2u; pass++) { /* First the outline, then the ribbon. */
         const float edge = pass == 0 ? 0.06f * width : 0.0f;
         const uint32_t colour = pass == 0 ? UI_WASHI_WHITE : UI_VERMILION;
-        for (float side = -1.0f; side < 2.0f; side += 2.0f) {
+        for (uint32_t i = 0; i < 2u; i++) {
+            const float side = i == 0 ? -1.0f : 1.0f;
             const float tail[2] = { x + 0.24f * side * width, y + 0.36f * width };
             ui_segment(frame->batch, knot, tail, 0.12f * width + edge, colour);
             ui_ring(frame, x + 0.26f * side * width, y - 0.05f * width, 0.20f * width + 0.5f * edge,
