@@ -209,6 +209,42 @@ static void test_each_of_the_last_five_seconds_ticks_once(void **state)
     assert_int_equal(sounds[SOUND_RESULT], 1);
 }
 
+/* Plays a round in which the player catches `caught` fish. Returns the sound of the result, and
+ * asserts that no other result is heard. */
+static enum sound result_with(uint32_t caught)
+{
+    static const enum sound results[] = { SOUND_RESULT, SOUND_WIN, SOUND_RECORD };
+    enum sound heard = SOUND_NONE;
+    play_into_round();
+    clear_sounds();
+    core.game.player[0].caught = (uint16_t)caught;
+    steps(ROUND_S * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    for (uint32_t i = 0; i < sizeof results / sizeof *results; i++) {
+        if (sounds[results[i]] > 0) {
+            assert_int_equal(heard, SOUND_NONE);
+            assert_int_equal(sounds[results[i]], 1);
+            heard = results[i];
+        }
+    }
+    return heard;
+}
+
+static void test_the_sound_of_the_result_follows_the_outcome(void **state)
+{
+    assert_int_equal(result_with(0), SOUND_RESULT);
+    setup(state);
+    assert_int_equal(result_with(3), SOUND_RECORD);
+    /* All ten places of each period of the leaderboard have better scores. */
+    setup(state);
+    for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
+        for (uint32_t row = 0; row < RANK_ROWS; row++) {
+            core.game.accounts.ranking.row[MODE_FESTIVAL][period][row].caught = 50;
+        }
+    }
+    assert_int_equal(result_with(3), SOUND_WIN);
+}
+
 static void test_the_bot_controls_the_poi_in_attract(void **state)
 {
     (void)state;
@@ -349,6 +385,7 @@ int main(void)
         TEST(test_a_dip_in_the_result_counts_from_two_and_a_half_seconds),
         TEST(test_seconds_left_count_down_through_ready_and_round),
         TEST(test_each_of_the_last_five_seconds_ticks_once),
+        TEST(test_the_sound_of_the_result_follows_the_outcome),
         TEST(test_the_bot_controls_the_poi_in_attract),
         TEST(test_a_poi_that_the_bot_takes_over_does_not_return_to_the_player),
         TEST(test_language_changes_with_each_press_in_any_phase),

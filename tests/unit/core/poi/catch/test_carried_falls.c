@@ -9,6 +9,52 @@ static uint32_t lifted(uint8_t grade, uint32_t seed, float off_x_m)
     return fixture_lift(&fixture, grade, seed, off_x_m, 0.0f);
 }
 
+/* Tips a fish off the poi at (x_m, y_m) to the right, and counts the sounds of each kind. Asserts
+ * that the sound of a fall into the water (SOUND_PLOP) or into the bowl (SOUND_CATCH) comes from the
+ * side on which the fish is, and returns the gain of this sound. */
+static float tipped_at(float x_m, float y_m, uint32_t heard[SOUND_COUNT])
+{
+    const uint32_t fish = lifted(4, 3, 0.0f);
+    float gain = 0.0f;
+    fixture_move(&fixture, v3(x_m, y_m, 0.15f), 0.2f);
+    memset(heard, 0, SOUND_COUNT * sizeof *heard);
+    for (uint32_t i = 0; i < 2u * CORE_TICK_HZ; i++) {
+        fixture.hand.angles.roll_rad = f_min((float)i / 36.0f, 1.0f) * 55.0f * F_DEG;
+        fixture_tick(&fixture);
+        for (uint32_t k = 0; k < fixture.output.sound_count; k++) {
+            const struct sound_event *const event = &fixture.output.sounds[k];
+            heard[event->sound]++;
+            if (event->sound == SOUND_PLOP || event->sound == SOUND_CATCH) {
+                assert_true(event->pan * fixture.tank.fish[fish].position_m.x > 0.0f);
+                gain = event->gain;
+            }
+        }
+    }
+    return gain;
+}
+
+static void test_a_fall_into_the_water_plops_once_and_louder_from_higher(void **state)
+{
+    (void)state;
+    uint32_t low[SOUND_COUNT], high[SOUND_COUNT];
+    const float low_gain = tipped_at(0.08f, 0.05f, low);
+    const float high_gain = tipped_at(0.08f, 0.14f, high);
+    assert_int_equal(low[SOUND_PLOP], 1);
+    assert_int_equal(high[SOUND_PLOP], 1);
+    assert_int_equal(low[SOUND_CATCH] + high[SOUND_CATCH], 0);
+    assert_true(high_gain > low_gain + 0.1f);
+}
+
+static void test_a_fall_into_the_bowl_is_a_catch_and_no_plop(void **state)
+{
+    (void)state;
+    uint32_t heard[SOUND_COUNT];
+    tipped_at(0.27f, 0.10f, heard);
+    assert_int_equal(fixture.landed + fixture.poured, 1);
+    assert_int_equal(heard[SOUND_CATCH], 1);
+    assert_int_equal(heard[SOUND_PLOP], 0);
+}
+
 static void test_a_fish_tipped_over_the_tank_slides_off_and_swims(void **state)
 {
     (void)state;
@@ -123,6 +169,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_fish_tipped_over_the_tank_slides_off_and_swims),
+        cmocka_unit_test(test_a_fall_into_the_water_plops_once_and_louder_from_higher),
+        cmocka_unit_test(test_a_fall_into_the_bowl_is_a_catch_and_no_plop),
         cmocka_unit_test(test_a_slight_tilt_keeps_the_fish_behind_the_ring),
         cmocka_unit_test(test_a_fish_near_the_ring_flops_out_more_often_than_one_in_the_middle),
         cmocka_unit_test(test_a_poi_with_controller_orientation_tips_fish_only_at_a_steep_angle),
