@@ -33,8 +33,8 @@ static uint32_t causes(uint8_t gait, float depth, float pan)
     return count;
 }
 
-/* Runs `tick_count` ticks and checks the cause of each sound of kind `sound`. Returns the number of these
- * sounds. */
+/* Runs `tick_count` ticks and checks the cause of each sound of kind `sound`. Returns the number of
+ * these sounds. */
 static uint32_t count_caused(enum sound sound, uint8_t gait, float depth, uint32_t tick_count)
 {
     uint32_t count = 0;

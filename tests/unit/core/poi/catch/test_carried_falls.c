@@ -10,8 +10,8 @@ static uint32_t lifted(uint8_t grade, uint32_t seed, float off_x_m)
 }
 
 /* Tips a fish off the poi at (x_m, y_m) to the right, and counts the sounds of each kind. Asserts
- * that the sound of a fall into the water (SOUND_PLOP) or into the bowl (SOUND_CATCH) comes from the
- * side on which the fish is, and returns the gain of this sound. */
+ * that the sound of a fall into the water (SOUND_PLOP) or into the bowl (SOUND_CATCH) comes from
+ * the side on which the fish is, and returns the gain of this sound. */
 static float tipped_at(float x_m, float y_m, uint32_t heard[SOUND_COUNT])
 {
     const uint32_t fish = lifted(4, 3, 0.0f);
