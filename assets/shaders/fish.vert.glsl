@@ -143,7 +143,7 @@ void main()
     vec3 up = up_amplitude.xyz;
     vec3 back = cross(right, up);
     vec3 world = place.xyz + place.w * (right * p.x + up * p.y + back * p.z);
-    n = normalize(right * n.x + up * n.y + back * n.z);
+    n = right * n.x + up * n.y + back * n.z; // The texture has unit normals.
     gl_Position = view_projection * vec4(world, 1.0);
 
 #ifdef SUNK
@@ -182,7 +182,8 @@ void main()
     float gloss = 0.0;
     light *= 0.75 + 0.25 * smoothstep(0.0, 0.42, facing);
 #else
-    float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
+    vec3 middle = view + LAMP_DIRECTION;
+    float shine = max(dot(n, middle) * inversesqrt(dot(middle, middle)), 0.0);
     shine *= shine;
     shine *= shine;
     shine *= shine;

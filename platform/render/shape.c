@@ -4,6 +4,18 @@
 #include "core/base/panic.h"
 
 #define NORMAL_STEP 1e-3f
+/* Number of columns of a band. Two rows of a band fit into the vertex cache of V3D. */
+#define BAND 16u
+
+/* Appends the two triangles of the cell of a grid with the first corner `at`. */
+static void add_cell(struct shape *shape, uint32_t at, uint32_t columns)
+{
+    const uint32_t corners[6] = { at,      at + 1u,           at + columns,
+                                  at + 1u, at + columns + 1u, at + columns };
+    for (uint32_t i = 0; i < 6; i++) {
+        shape->indices[shape->index_count++] = (uint16_t)corners[i];
+    }
+}
 
 void shape_grid(struct shape *shape, uint32_t columns, uint32_t rows, shape_point point,
                 const void *context)
@@ -29,13 +41,14 @@ void shape_grid(struct shape *shape, uint32_t columns, uint32_t rows, shape_poin
             shape->vertices[shape->vertex_count++] = vertex;
         }
     }
-    for (uint32_t row = 0; row + 1 < rows; row++) {
-        for (uint32_t column = 0; column + 1 < columns; column++) {
-            const uint32_t at = first + row * columns + column;
-            const uint32_t corners[6] = { at,      at + 1u,           at + columns,
-                                          at + 1u, at + columns + 1u, at + columns };
-            for (uint32_t i = 0; i < 6; i++) {
-                shape->indices[shape->index_count++] = (uint16_t)corners[i];
+    /* The triangles are ordered in bands of BAND columns, because a GPU computes a vertex again if
+     * too many other vertices lie between two of its triangles. */
+    const uint32_t cells = columns - 1u;
+    for (uint32_t begin = 0; begin < cells; begin += BAND) {
+        const uint32_t end = begin + BAND < cells ? begin + BAND : cells;
+        for (uint32_t row = 0; row + 1 < rows; row++) {
+            for (uint32_t column = begin; column < end; column++) {
+                add_cell(shape, first + row * columns + column, columns);
             }
         }
     }

@@ -8,7 +8,7 @@
 #include "platform/render/gl_util.h"
 #include "shaders.h"
 
-/* A corner of the tank. The coordinates are small integers. The vertex shaders wall.vert.glsl and
+/* A corner of the tank. The coordinates are small integers. The vertex shaders water.vert.glsl and
  * deck.vert.glsl map these integers to the tank's dimensions. */
 struct corner {
     float position[3], normal[3];
@@ -42,9 +42,13 @@ enum basin_part {
  * shades complete quads of 2x2 pixels at the edges of triangles. */
 #define FLOOR_X 32
 #define FLOOR_Z 16
+/* Number of cells of a wall from left to right, and from the water surface to the floor. */
+#define WALL_COLUMNS 24
+#define WALL_ROWS 6
 #define TEXT(number) #number
-#define FLOOR_DEFINE(name, number) "#define " name " " TEXT(number) "\n"
-#define FLOOR_DEFINES FLOOR_DEFINE("GRID_X", FLOOR_X) FLOOR_DEFINE("GRID_Z", FLOOR_Z)
+#define GRID_DEFINE(name, number) "#define " name " " TEXT(number) "\n"
+#define FLOOR_DEFINES GRID_DEFINE("GRID_X", FLOOR_X) GRID_DEFINE("GRID_Z", FLOOR_Z)
+#define WALL_DEFINES GRID_DEFINE("WALL_COLUMNS", WALL_COLUMNS) GRID_DEFINE("WALL_ROWS", WALL_ROWS)
 /* Slope of the water surface that a value of 1 in the scene's `slope` array means. */
 #define SLOPE_UNIT (1.0f / 508.0f)
 /* Number of ticks after which the animation of the wind waves restarts at time 0, so that the
@@ -53,11 +57,6 @@ enum basin_part {
 #define WIND_WRAP_TICKS (600u * CORE_TICK_HZ)
 
 static const struct face faces[] = {
-    /* Walls, in the order far, near, left, right. */
-    { { -1, -1, -1 }, { 1, -1, -1 }, { 1, 0, -1 }, { -1, 0, -1 }, { 0, 0, 1 } },
-    { { -1, -1, 1 }, { 1, -1, 1 }, { 1, 0, 1 }, { -1, 0, 1 }, { 0, 0, -1 } },
-    { { -1, -1, -1 }, { -1, -1, 1 }, { -1, 0, 1 }, { -1, 0, -1 }, { 1, 0, 0 } },
-    { { 1, -1, -1 }, { 1, -1, 1 }, { 1, 0, 1 }, { 1, 0, -1 }, { -1, 0, 0 } },
     /* Water surface, and its strips at the walls, in the order far, near, left, right. The
      * coordinates 0.5 are near the wall (water.vert.glsl). */
     { { -H, 0, -H }, { H, 0, -H }, { H, 0, H }, { -H, 0, H }, UP },
@@ -88,8 +87,8 @@ static const struct face faces[] = {
 };
 #define FACE_COUNT (sizeof faces / sizeof *faces)
 
-static const uint8_t part_faces[PART_END + 1] = { 0,  0,  4,  5,          9,         13,
-                                                  17, 21, 22, FACE_COUNT, FACE_COUNT };
+static const uint8_t part_faces[PART_END + 1] = { 0,  0,  0,  1,          5,         9,
+                                                  13, 17, 18, FACE_COUNT, FACE_COUNT };
 
 /* Shader program of each part of the tank. */
 static const struct {
@@ -97,7 +96,7 @@ static const struct {
 } programs[PART_END] = {
     [PART_FLOOR] = { "floor", FLOOR_DEFINES, shader_floor_vert, shader_floor_frag,
                      "caustics shadows" },
-    [PART_WALLS] = { "walls", "", shader_wall_vert, shader_wall_frag, "caustics" },
+    [PART_WALLS] = { "walls", WALL_DEFINES, shader_wall_vert, shader_wall_frag, "caustics" },
     [PART_SURFACE] = { "water", "", shader_water_vert, shader_water_frag, "ground life mirror" },
     [PART_EDGE] = { "water edge", "#define EDGE\n", shader_water_vert, shader_water_frag,
                     "ground life mirror" },
@@ -259,7 +258,8 @@ void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint sh
     glUseProgram(pass->programs[PART_FLOOR]);
     glBindVertexArray(pass->no_attributes);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (FLOOR_X + 1), FLOOR_Z);
-    draw_part(pass, PART_WALLS);
+    glUseProgram(pass->programs[PART_WALLS]);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (4 * WALL_COLUMNS + 1), WALL_ROWS);
 }
 
 void basin_pass_keep_deck(struct basin_pass *pass, const struct frame_block *frame,

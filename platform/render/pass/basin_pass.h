@@ -15,7 +15,7 @@
 struct basin_pass {
     GLuint programs[BASIN_PARTS];
     GLuint vertex_array, vertex_buffer;
-    GLuint no_attributes; /* Vertex array of the floor, whose shader computes the grid. */
+    GLuint no_attributes; /* Vertex array of floor and walls, whose shaders compute the grids. */
     struct gl_ring slope_ring;
     /* Camera and tank of the picture that basin_pass_keep_deck() drew last. */
     struct deck_view {
