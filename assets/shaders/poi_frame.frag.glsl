@@ -8,6 +8,9 @@ out vec4 color;
 
 void main()
 {
+#ifdef CAP
+    color = vec4(0.0); // The colour mask of poi_pass_cap() discards the colour.
+#else
     vec3 n = normalize(face);
     float lit = (0.52 + 0.55 * max(dot(n, LAMP_DIRECTION), 0.0)) * mark.z;
     float shine = max(dot(n, middle), 0.0);
@@ -22,4 +25,5 @@ void main()
     vec3 plastic = mix(paint.rgb, vec3(1.0, 0.98, 0.94), band);
     vec3 tint = plastic * (lit + edge * edge * 0.25) + vec3(1.0, 0.95, 0.9) * (0.55 * shine);
     color = vec4(mix(WATER_COLOR, tint, left), 1.0) * cover;
+#endif
 }

@@ -1,5 +1,5 @@
 // Ring and handle of a poi, a plastic solid with a pose. The light that changes little between two
-// vertices is computed here.
+// vertices is computed here. CAP draws a disc over paper and ring, which only writes depth.
 layout(location = 0) in vec3 position;  // Position in ring radii.
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 surface;   // x: position around the ring, from 0 to 1.
@@ -16,6 +16,10 @@ const float RING_END = 1.19;            // Coordinate z at which the handle leav
 
 void main()
 {
+#ifdef CAP
+    gl_Position = view_projection * (pose * vec4(1.15 * position.x, 0.0, 1.15 * position.y, 1.0));
+    gl_Position.z = -gl_Position.w; // On the near plane, so that nothing covers the disc.
+#else
     vec3 world = (pose * vec4(position, 1.0)).xyz;
     face = mat3(pose) * normal;
     view = normalize(eye.xyz - world);
@@ -27,4 +31,5 @@ void main()
     mark.y = paint.w < 0.5 ? -1.0 : is_ring ? 0.05 * paint.w : 0.24;
     mark.z = 1.0 - 0.7 * shade_above(world);
     gl_Position = view_projection * vec4(world, 1.0);
+#endif
 }

@@ -118,6 +118,8 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
         }
     }
     fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
+    poi_pass_cap(&renderer->poi, scene);
+    hand_pass_draw(&renderer->hand, scene, HAND_OUTLINE);
     glDisable(GL_DEPTH_TEST);
     quad_pass_fans(&renderer->quad, scene);
     step_done(renderer, STEP_ABOVE);
@@ -152,6 +154,7 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     fish_pass_prepare(&renderer->fish, scene, &renderer->frame, &renderer->quality);
     basin_pass_prepare(&renderer->basin, scene);
     poi_pass_prepare(&renderer->poi, scene);
+    hand_pass_prepare(&renderer->hand, scene);
     basin_pass_keep_deck(&renderer->basin, &renderer->frame.block, &renderer->deck,
                          &renderer->textures);
     step_done(renderer, STEP_PREPARE);
@@ -179,6 +182,7 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     bind_screen(renderer);
     glClearColor(0.02f, 0.015f, 0.02f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    hand_pass_draw(&renderer->hand, scene, HAND_INSIDE);
     draw_bowl_contents(renderer, scene);
     basin_pass_water(&renderer->basin, renderer->ground.texture, renderer->life.texture,
                      renderer->mirror.texture);

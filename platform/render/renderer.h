@@ -12,6 +12,7 @@
 #include "platform/render/pass/basin_pass.h"
 #include "platform/render/pass/bowl_pass.h"
 #include "platform/render/pass/fish_pass.h"
+#include "platform/render/pass/hand_pass.h"
 #include "platform/render/pass/light_pass.h"
 #include "platform/render/pass/poi_pass.h"
 #include "platform/render/pass/quad_pass.h"
@@ -69,6 +70,7 @@ struct renderer {
     struct basin_pass basin;
     struct fish_pass fish;
     struct poi_pass poi;
+    struct hand_pass hand;
     struct bowl_pass bowl;
     struct quad_pass quad;
     struct specimen_pass specimens;

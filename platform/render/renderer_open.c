@@ -134,6 +134,7 @@ int renderer_open(struct renderer *renderer, const struct renderer_config *confi
     specimen_pass_open(status, &renderer->specimens, &renderer->textures);
     fish_pass_open(status, &renderer->fish, &renderer->specimens.memory);
     poi_pass_open(status, &renderer->poi);
+    hand_pass_open(status, &renderer->hand);
     bowl_pass_open(status, &renderer->bowl);
     quad_pass_open(status, &renderer->quad, &renderer->textures);
     char why[HAL_TEXT_SIZE] = "";
@@ -151,6 +152,7 @@ void renderer_close(struct renderer *renderer)
     ui_close(&renderer->ui);
     quad_pass_close(&renderer->quad);
     bowl_pass_close(&renderer->bowl);
+    hand_pass_close(&renderer->hand);
     poi_pass_close(&renderer->poi);
     fish_pass_close(&renderer->fish);
     specimen_pass_close(&renderer->specimens);

@@ -87,6 +87,7 @@ FEATURE_LINES = {
     'a replay as a video with sound, by ffmpeg or as pictures and a WAV file': 394,
     'black goldfish, and kinds of fish by their frequency': 8,
     'volumes of music and effects, quiet hours, and the light in the menu': 61,
+    'a hand with a sleeve that holds each poi': 404,
     'light of a summer night, in the shaders and on each fish, and daylight by a setting': 64,
 }
 

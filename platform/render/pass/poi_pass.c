@@ -164,6 +164,9 @@ void poi_pass_open(struct gl_status *status, struct poi_pass *pass)
 {
     pass->frame_program =
         gl_program(status, "poi frame", "", shader_poi_frame_vert, shader_poi_frame_frag, "");
+    pass->cap_program = gl_program(status, "poi cap", "#define CAP\n", shader_poi_frame_vert,
+                                   shader_poi_frame_frag, "");
+    pass->cap_pose = glGetUniformLocation(pass->cap_program, "pose");
     pass->frame_pose = glGetUniformLocation(pass->frame_program, "pose");
     pass->frame_paint = glGetUniformLocation(pass->frame_program, "paint");
     for (uint32_t i = 0; i < PAPER_VARIANTS; i++) {
@@ -186,6 +189,7 @@ void poi_pass_open(struct gl_status *status, struct poi_pass *pass)
 void poi_pass_close(struct poi_pass *pass)
 {
     glDeleteProgram(pass->frame_program);
+    glDeleteProgram(pass->cap_program);
     for (uint32_t i = 0; i < PAPER_VARIANTS; i++) {
         glDeleteProgram(pass->papers[i].name);
     }
@@ -234,12 +238,11 @@ bool poi_is_above(const struct scene_poi *poi)
     return poi->present && extent(poi, 1.0f) > 0.0f;
 }
 
-static void pose_of_axes(float out[16], vec3 position_m, const struct basis *pose, float scale)
+void poi_pose_of_axes(float out[16], vec3 position_m, const struct basis *axes, float scale)
 {
     CORE_ASSERT(scale > 0.0f);
-    const struct basis axes = *pose;
-    const vec3 columns[4] = { v3_scale(axes.right, scale), v3_scale(axes.up, scale),
-                              v3_scale(axes.back, scale), position_m };
+    const vec3 columns[4] = { v3_scale(axes->right, scale), v3_scale(axes->up, scale),
+                              v3_scale(axes->back, scale), position_m };
     for (uint32_t i = 0; i < 4; i++) {
         const float column[4] = { columns[i].x, columns[i].y, columns[i].z, i == 3u ? 1.0f : 0.0f };
         memcpy(out + 4u * i, column, sizeof column);
@@ -249,14 +252,14 @@ static void pose_of_axes(float out[16], vec3 position_m, const struct basis *pos
 void poi_pose(float out[16], vec3 position_m, struct angles angles, float scale)
 {
     const struct basis axes = vec_basis_from_angles(angles);
-    pose_of_axes(out, position_m, &axes, scale);
+    poi_pose_of_axes(out, position_m, &axes, scale);
 }
 
 void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi)
 {
     float pose[16];
     const struct basis axes = scene_handle_axes(poi);
-    pose_of_axes(pose, poi->position_m, &axes, poi->ring_radius_m);
+    poi_pose_of_axes(pose, poi->position_m, &axes, poi->ring_radius_m);
     glUseProgram(pass->frame_program);
     glUniformMatrix4fv(pass->frame_pose, 1, GL_FALSE, pose);
     glUniform4fv(pass->frame_paint, 1, poi_paint(poi->owner));
@@ -304,4 +307,20 @@ void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint
     glEnable(GL_BLEND);
     shape_draw(&pass->disc);
     glDisable(GL_BLEND);
+}
+
+void poi_pass_cap(const struct poi_pass *pass, const struct scene *scene)
+{
+    glUseProgram(pass->cap_program);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct scene_poi *const poi = &scene->poi[i];
+        if (poi->present) {
+            float pose[16];
+            poi_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
+            glUniformMatrix4fv(pass->cap_pose, 1, GL_FALSE, pose);
+            shape_draw(&pass->disc);
+        }
+    }
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }

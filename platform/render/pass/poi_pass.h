@@ -38,8 +38,8 @@ struct paper_program {
 };
 
 struct poi_pass {
-    GLuint frame_program;
-    GLint frame_pose, frame_paint;
+    GLuint frame_program, cap_program;
+    GLint frame_pose, frame_paint, cap_pose;
     struct paper_program papers[PAPER_VARIANTS]; /* Indexed by enum paper_variant. */
     struct shape_buffers solid, disc;
     /* Ring buffer of array textures of the paper sheets, with one layer for each player. */
@@ -51,6 +51,8 @@ struct poi_pass {
 /* Writes the pose of a poi or of another object to `out` as a column-major matrix. `scale` (> 0) is
  * the length in metres of one unit along each axis of the object. */
 void poi_pose(float out[16], vec3 position_m, struct angles angles, float scale);
+/* Does the same for an object with the axes `axes`. */
+void poi_pose_of_axes(float out[16], vec3 position_m, const struct basis *axes, float scale);
 
 /* Returns the colour of player `owner` (red, green, blue). The fourth value is the number of white
  * marks on the poi, which distinguish the players without colour. `owner` must be below POI_MAX. */
@@ -75,3 +77,7 @@ void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi);
  * part below the water surface. */
 void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint32_t index,
                     const struct textures *textures, bool is_below);
+
+/* Writes depth over the paper and the ring of each poi of the scene, so that nothing drawn later
+ * covers them. */
+void poi_pass_cap(const struct poi_pass *pass, const struct scene *scene);

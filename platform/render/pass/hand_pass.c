@@ -1,0 +1,416 @@
+/* hand_pass.c -- builds and draws the hands. The surface of a hand is the smooth union of tapered
+ * bones, which gives soft transitions between the fingers and the palm. The occlusion of the sky at
+ * each vertex comes from the same distance function. */
+#include "platform/render/pass/hand_pass.h"
+
+#include "core/base/panic.h"
+#include "platform/render/gl_util.h"
+#include "shaders.h"
+
+/* A tapered bone between two points, in inner radii of the ring in the axes of the handle. */
+struct bone {
+    vec3 from, to;
+    float from_radius, to_radius;
+};
+
+/* Number of bones of a finger, from the knuckle to the tip. */
+#define FINGER_BONES 3u
+#define FINGER_COUNT 5u /* The thumb is finger 0. */
+#define PALM_FIRST (FINGER_COUNT * FINGER_BONES)
+/* The thumb lies on the handle and points to the ring. The other fingers wrap the handle: from the
+ * knuckles on the right, down, below the handle, and up on the left. */
+static const struct bone bones[] = {
+    { { 0.02f, 0.18f, 4.72f }, { -0.25f, 0.37f, 3.86f }, 0.32f, 0.28f },
+    { { -0.26f, 0.38f, 3.86f }, { -0.15f, 0.38f, 3.12f }, 0.26f, 0.205f },
+    { { -0.15f, 0.38f, 3.12f }, { 0.00f, 0.24f, 2.60f }, 0.215f, 0.165f },
+    { { 0.47f, 0.32f, 3.08f }, { 0.46f, -0.34f, 2.64f }, 0.235f, 0.20f },
+    { { 0.46f, -0.34f, 2.64f }, { 0.02f, -0.50f, 2.54f }, 0.195f, 0.175f },
+    { { 0.02f, -0.50f, 2.54f }, { -0.32f, -0.26f, 2.56f }, 0.175f, 0.145f },
+    { { 0.62f, 0.24f, 3.46f }, { 0.58f, -0.46f, 3.06f }, 0.245f, 0.205f },
+    { { 0.58f, -0.46f, 3.06f }, { 0.05f, -0.58f, 2.94f }, 0.20f, 0.18f },
+    { { 0.05f, -0.58f, 2.94f }, { -0.33f, -0.32f, 2.96f }, 0.18f, 0.15f },
+    { { 0.64f, 0.11f, 3.83f }, { 0.56f, -0.54f, 3.44f }, 0.235f, 0.195f },
+    { { 0.56f, -0.54f, 3.44f }, { 0.05f, -0.62f, 3.33f }, 0.195f, 0.175f },
+    { { 0.05f, -0.62f, 3.33f }, { -0.29f, -0.36f, 3.34f }, 0.17f, 0.145f },
+    { { 0.57f, -0.03f, 4.16f }, { 0.48f, -0.56f, 3.80f }, 0.20f, 0.165f },
+    { { 0.48f, -0.56f, 3.80f }, { 0.08f, -0.60f, 3.70f }, 0.165f, 0.15f },
+    { { 0.08f, -0.60f, 3.70f }, { -0.20f, -0.40f, 3.70f }, 0.15f, 0.125f },
+    /* The palm: a bone from the wrist to each knuckle, and the ball of the thumb. */
+    { { 0.12f, 0.24f, 5.00f }, { 0.48f, 0.32f, 3.12f }, 0.30f, 0.24f },
+    { { 0.22f, 0.18f, 5.00f }, { 0.60f, 0.23f, 3.50f }, 0.30f, 0.24f },
+    { { 0.30f, 0.12f, 5.00f }, { 0.62f, 0.10f, 3.86f }, 0.30f, 0.24f },
+    { { 0.34f, 0.06f, 5.00f }, { 0.55f, -0.06f, 4.20f }, 0.28f, 0.22f },
+    { { 0.02f, 0.10f, 4.70f }, { 0.18f, 0.20f, 3.62f }, 0.34f, 0.24f },
+    /* The web between the thumb and the index finger, and the knuckles. */
+    { { -0.16f, 0.22f, 3.95f }, { 0.36f, 0.22f, 3.30f }, 0.24f, 0.16f },
+    { { 0.50f, 0.38f, 3.10f }, { 0.51f, 0.30f, 2.98f }, 0.20f, 0.19f },
+    { { 0.65f, 0.29f, 3.48f }, { 0.66f, 0.20f, 3.36f }, 0.20f, 0.19f },
+    { { 0.69f, 0.14f, 3.85f }, { 0.69f, 0.06f, 3.74f }, 0.19f, 0.18f },
+    /* The forearm, which is wider than thick. */
+    { { 0.13f, 0.16f, 5.00f }, { 0.10f, 0.14f, 7.40f }, 0.33f, 0.46f },
+    { { 0.33f, 0.10f, 5.00f }, { 0.36f, 0.10f, 7.40f }, 0.31f, 0.44f },
+};
+#define BONE_COUNT (sizeof bones / sizeof *bones)
+
+#define BLEND 0.10f /* Width of the smooth transition between two bones. */
+#define STEPS_MAX 12u
+#define INSIDE 0.02f /* Depth from which a vertex is hidden inside the hand. */
+/* Value of 1 at the tip of a finger, where its last rows begin, is 1 / TIP_FROM. */
+#define TIP_FROM 1.25f
+
+#define FINGER_COLUMNS 7u
+#define FINGER_ROWS 7u
+#define THUMB_COLUMNS 8u
+#define THUMB_ROWS 8u
+#define PALM_COLUMNS 12u
+#define PALM_ROWS 9u
+#define SLEEVE_COLUMNS 13u
+#define SLEEVE_ROWS 9u
+
+/* Position of the wrist, and start and end of the sleeve along the forearm, in the mesh. */
+#define WRIST_X 0.22f
+#define WRIST_Y 0.14f
+#define WRIST_Z 5.0f
+#define CUFF_Z 6.3f
+#define CUFF_V 0.25f
+#define PALM_END_Z 7.2f
+#define PALM_BEND 0.7f
+#define PALM_CAP 0.3f
+#define SLEEVE_END_Z 12.3f
+/* Front end of the hand along the handle, half of the largest width of the arm, and number of
+ * straight parts of which the picture of the arm is assumed to consist. */
+#define HAND_FRONT_Z 2.4f
+#define ARM_HALF_WIDTH 1.3f
+#define ARM_PARTS 6u
+#define CLOTH_SIDE 64u /* Side in texels of the pattern of the cloth. */
+/* Height in m of the player's shoulder above the water, and its distance from the tank. */
+#define SHOULDER_M 0.36f
+#define SHOULDER_AWAY_M 0.36f
+/* Greatest sine of the elevation of the forearm. A steeper forearm would hide the paper. */
+#define RISE_MAX 0.72f
+/* Height in m above the water at which the sleeve begins, if the forearm can rise so steeply. */
+#define CUFF_CLEAR_M 0.03f
+
+/* Returns the signed distance of `p` from the surface of a hand. */
+static float distance_to(vec3 p)
+{
+    float nearest = 1e3f;
+    for (uint32_t i = 0; i < BONE_COUNT; i++) {
+        const vec3 along = v3_sub(bones[i].to, bones[i].from);
+        const vec3 there = v3_sub(p, bones[i].from);
+        const float t = f_clamp(v3_dot(there, along) / v3_dot(along, along), 0.0f, 1.0f);
+        const float radius = f_lerp(bones[i].from_radius, bones[i].to_radius, t);
+        const float distance = v3_length(v3_muladd(there, along, -t)) - radius;
+        const float h = f_max(BLEND - f_abs(distance - nearest), 0.0f) / BLEND;
+        nearest = f_min(distance, nearest) - 0.25f * BLEND * h * h;
+    }
+    return nearest;
+}
+
+static vec3 normal_at(vec3 p)
+{
+    const float e = 0.01f;
+    const vec3 slope = v3(distance_to(v3(p.x + e, p.y, p.z)) - distance_to(v3(p.x - e, p.y, p.z)),
+                          distance_to(v3(p.x, p.y + e, p.z)) - distance_to(v3(p.x, p.y - e, p.z)),
+                          distance_to(v3(p.x, p.y, p.z + e)) - distance_to(v3(p.x, p.y, p.z - e)));
+    return v3_normalize_or(slope, v3(0.0f, 1.0f, 0.0f));
+}
+
+/* Returns the point at which a ray from `from`, a point inside the hand, leaves the hand. Returns
+ * the point at the distance `reach` if the ray does not leave the hand before. */
+static vec3 leave_hand(vec3 from, vec3 way, float reach)
+{
+    float at = 0.0f;
+    for (uint32_t i = 0; i < STEPS_MAX && at < reach; i++) {
+        at -= distance_to(v3_muladd(from, way, at));
+    }
+    return v3_muladd(from, way, f_min(at, reach));
+}
+
+/* Returns the fraction of the light from all sides that reaches a point of the surface. */
+static float openness(vec3 p, vec3 normal)
+{
+    float shut = 0.0f;
+    for (uint32_t i = 1; i <= 4u; i++) {
+        const float height = 0.10f * (float)(i * i) * 0.5f;
+        const float free = distance_to(v3_muladd(p, normal, height));
+        shut += f_clamp(1.0f - free / height, 0.0f, 1.0f) * (0.46f - 0.08f * (float)i);
+    }
+    return f_clamp(1.0f - shut, 0.0f, 1.0f);
+}
+
+/* Returns the unit vector at the angle `turn` (in turns) around `along`, counter-clockwise as seen
+ * against `along`. The turn 0 is at a right angle to `across`. */
+static vec3 around(vec3 along, vec3 across, float turn)
+{
+    const vec3 side = v3_normalize_or(v3_cross(across, along), v3(1.0f, 0.0f, 0.0f));
+    const vec3 up = v3_cross(along, side);
+    return v3_add(v3_scale(side, f_cos(turn * F_TAU)), v3_scale(up, f_sin(turn * F_TAU)));
+}
+
+/* Returns a point of a finger. `v` runs from the knuckle to the tip, and `context` is the finger's
+ * first bone. */
+static struct shape_vertex finger_point(float u, float v, const void *context)
+{
+    const struct bone *const finger = context;
+    const float at = f_min(v * TIP_FROM, 1.0f) * (float)FINGER_BONES;
+    const uint32_t index = at < (float)FINGER_BONES ? (uint32_t)at : FINGER_BONES - 1u;
+    const struct bone *const bone = finger + index;
+    const float t = at - (float)index;
+    const vec3 along = v3_normalize_or(v3_sub(bone->to, bone->from), v3(0.0f, 0.0f, -1.0f));
+    /* The fingers bend in planes across the handle, and the thumb lies along the handle. */
+    const vec3 across = finger == bones ? v3(0.0f, 1.0f, 0.0f) : v3(0.0f, 0.0f, 1.0f);
+    /* The last rows close the tip as a part of a sphere. */
+    const float tip = f_max(v * TIP_FROM - 1.0f, 0.0f) / (TIP_FROM - 1.0f);
+    const vec3 way = v3_add(v3_scale(around(along, across, u), f_cos(0.5f * F_PI * tip)),
+                            v3_scale(along, f_sin(0.5f * F_PI * tip)));
+    const float radius = f_lerp(bone->from_radius, bone->to_radius, t);
+    return (struct shape_vertex){ .position = leave_hand(v3_lerp(bone->from, bone->to, t), way,
+                                                         1.12f * radius) };
+}
+
+/* Returns a point of the palm and the forearm. `v` runs from the knuckles to the forearm. The first
+ * rows close the palm at the knuckles. */
+static struct shape_vertex palm_point(float u, float v, const void *context)
+{
+    (void)context;
+    const vec3 knuckles = v3(0.55f, 0.13f, 3.55f), wrist = v3(WRIST_X, WRIST_Y, WRIST_Z);
+    const vec3 end = v3(WRIST_X + 0.01f, WRIST_Y - 0.02f, PALM_END_Z);
+    const vec3 centre =
+        v < PALM_BEND ? v3_lerp(knuckles, wrist, f_max(v - PALM_CAP, 0.0f) / (PALM_BEND - PALM_CAP))
+                      : v3_lerp(wrist, end, (v - PALM_BEND) / (1.0f - PALM_BEND));
+    const float ahead = 0.5f * F_PI * f_max(PALM_CAP - v, 0.0f) / PALM_CAP;
+    const vec3 ring = around(v3(0.0f, 0.0f, 1.0f), v3(0.0f, 1.0f, 0.0f), u);
+    const vec3 way = v3_add(v3_scale(ring, f_cos(ahead)), v3(0.0f, 0.0f, -f_sin(ahead)));
+    return (struct shape_vertex){ .position = leave_hand(centre, way, 1.2f) };
+}
+
+/* Returns a point of the sleeve. The first rows are the inside of the cuff. The sleeve is widest at
+ * the cuff, where its lower edge hangs, and has folds along the arm. `u` and `v` of the vertex are
+ * the openness and the distance around the sleeve, which is never negative. */
+static struct shape_vertex sleeve_point(float u, float v, const void *context)
+{
+    (void)context;
+    const float along = f_max(v - CUFF_V, 0.0f) / (1.0f - CUFF_V);
+    const float inside = f_max(CUFF_V - v, 0.0f) / CUFF_V;
+    const float c = f_sin(u * F_TAU), s = 0.0f - f_cos(u * F_TAU);
+    const float hangs = 0.55f + 1.15f * (1.0f - along) * (1.0f - along);
+    const float width = f_lerp(0.86f, 0.98f, along);
+    const float folds =
+        0.030f * f_sin(u * F_TAU * 5.0f + 9.0f * along) * f_smoothstep(0.0f, 0.2f, along) +
+        0.022f * f_sin(u * F_TAU * 3.0f - 14.0f * along);
+    const float wide = (1.0f + folds) * (1.0f - 0.10f * inside);
+    const float height = s > 0.0f ? 0.68f * s : hangs * s;
+    const vec3 p =
+        v3(WRIST_X + width * wide * c, WRIST_Y + wide * height,
+           CUFF_Z + 0.12f * (0.0f - s) + (SLEEVE_END_Z - CUFF_Z) * along + 0.9f * inside);
+    return (struct shape_vertex){ .position = p,
+                                  .u = f_lerp(0.72f + 0.28f * s, 0.10f, f_min(8.0f * inside, 1.0f)),
+                                  .v = 6.0f * u };
+}
+
+void hand_mesh(struct shape *shape)
+{
+    const uint32_t first = shape->vertex_count;
+    CORE_ASSERT(BONE_COUNT > PALM_FIRST);
+    shape_grid(shape, PALM_COLUMNS, PALM_ROWS, palm_point, NULL);
+    shape_grid(shape, THUMB_COLUMNS, THUMB_ROWS, finger_point, bones);
+    for (uint32_t i = 1; i < FINGER_COUNT; i++) {
+        shape_grid(shape, FINGER_COLUMNS, FINGER_ROWS, finger_point, bones + i * FINGER_BONES);
+    }
+    for (uint32_t i = first; i < shape->vertex_count; i++) {
+        struct shape_vertex *const vertex = &shape->vertices[i];
+        /* A vertex inside another finger keeps the normal of its tube, because the slope of the
+         * distance may point anywhere there. */
+        if (distance_to(vertex->position) > -INSIDE) {
+            vertex->normal = normal_at(vertex->position);
+        }
+        vertex->u = openness(vertex->position, vertex->normal);
+        vertex->v = -1.0f; /* A negative value means skin. */
+    }
+    shape_grid(shape, SLEEVE_COLUMNS, SLEEVE_ROWS, sleeve_point, NULL);
+}
+
+/* Returns axes whose `back` is `back` and whose `up` is as near to `up` as possible. */
+static struct basis axes_along(vec3 back, vec3 up)
+{
+    const vec3 right = v3_normalize_or(v3_cross(up, back), v3(1.0f, 0.0f, 0.0f));
+    return (struct basis){ .right = right, .up = v3_cross(back, right), .back = back };
+}
+
+/* Returns the horizontal direction from a poi to the player. The handle of a bot points to the
+ * bot's place. A person stands at the side of the tank that the camera shows at the bottom. */
+static vec3 way_to_player(const struct scene *scene, const struct scene_poi *poi, vec3 back)
+{
+    const bool is_turned = view_basis(&scene->view).right.z < -0.5f;
+    const vec3 near = view_to_world(is_turned, v3(0.25f, 0.0f, 1.0f));
+    const vec3 flat = v3_normalize_or(v3_flat(back), near);
+    return v3_normalize_or(poi->handle_rad != 0.0f ? flat : v3_muladd(near, flat, 0.8f), near);
+}
+
+/* Returns the distance in m along the horizontal direction `way` at which the player stands. */
+static float distance_to_player(const struct scene *scene, vec3 from_m, vec3 way)
+{
+    const float x_m = 0.5f * scene->tank_size_m.x + SHOULDER_AWAY_M;
+    const float z_m = 0.5f * scene->tank_size_m.z + SHOULDER_AWAY_M;
+    const float by_x = (x_m - (way.x < 0.0f ? -from_m.x : from_m.x)) / f_max(f_abs(way.x), 0.01f);
+    const float by_z = (z_m - (way.z < 0.0f ? -from_m.z : from_m.z)) / f_max(f_abs(way.z), 0.01f);
+    return f_max(f_min(by_x, by_z), 0.2f);
+}
+
+void hand_frames_of(struct hand_frames *out, const struct scene *scene, const struct scene_poi *poi)
+{
+    const float unit_m = poi->ring_radius_m;
+    CORE_ASSERT(unit_m > 0.0f);
+    const struct basis hand = scene_handle_axes(poi);
+    const vec3 wrist = v3(WRIST_X, WRIST_Y, WRIST_Z);
+    const vec3 wrist_m = v3_muladd(poi->position_m, vec_basis_to_world(&hand, wrist), unit_m);
+    const vec3 way = way_to_player(scene, poi, hand.back);
+    const float far_m = distance_to_player(scene, wrist_m, way);
+    const float high_m = SHOULDER_M - wrist_m.y;
+    const float needed = (CUFF_CLEAR_M - wrist_m.y) / ((CUFF_Z - WRIST_Z) * unit_m);
+    const float rise =
+        f_clamp(f_max(high_m / f_sqrt(high_m * high_m + far_m * far_m), needed), 0.0f, RISE_MAX);
+    const float level = f_sqrt(1.0f - rise * rise);
+    const vec3 along = v3_muladd(v3_scale(way, level), v3(0.0f, 1.0f, 0.0f), rise);
+    const struct basis arm = axes_along(along, hand.up);
+    const struct basis sleeve = axes_along(along, v3(0.0f, 1.0f, 0.0f));
+    const vec3 back = v3_scale(wrist, 0.0f - unit_m);
+    poi_pose_of_axes(out->matrices[0], poi->position_m, &hand, unit_m);
+    poi_pose_of_axes(out->matrices[1], v3_add(wrist_m, vec_basis_to_world(&arm, back)), &arm,
+                     unit_m);
+    poi_pose_of_axes(out->matrices[2], v3_add(wrist_m, vec_basis_to_world(&sleeve, back)), &sleeve,
+                     unit_m);
+    out->stretch =
+        f_max(far_m / (level * unit_m) - (CUFF_Z - WRIST_Z), 2.0f) / (SLEEVE_END_Z - CUFF_Z);
+}
+
+/* Returns the point of the picture at which the camera shows `p`: to the right (x) and up (y), and
+ * the length in the picture of one metre at this point (z). */
+static vec3 place_in_picture(const struct view *view, vec3 p)
+{
+    const struct basis axes = view_basis(view);
+    const vec3 ray = v3_sub(p, view->eye_m);
+    const float deep = f_max(0.0f - v3_dot(ray, axes.back), 0.01f);
+    return v3(v3_dot(ray, axes.right) / deep, v3_dot(ray, axes.up) / deep, 1.0f / deep);
+}
+
+/* Returns true if the picture of an arm may overlap the paper of `poi`. */
+static bool may_cover(const struct scene *scene, const struct hand_frames *frames,
+                      const struct scene_poi *poi)
+{
+    const vec3 paper = place_in_picture(&scene->view, poi->position_m);
+    vec3 last = paper;
+    float last_half = 0.0f;
+    for (uint32_t i = 0; i <= ARM_PARTS; i++) {
+        const float z = HAND_FRONT_Z + (SLEEVE_END_Z - HAND_FRONT_Z) * frames->stretch * (float)i /
+                                           (float)ARM_PARTS;
+        const float *const m = frames->matrices[z < WRIST_Z ? 0 : 2];
+        const vec3 p = v3(m[0] * WRIST_X + m[8] * z + m[12], m[1] * WRIST_X + m[9] * z + m[13],
+                          m[2] * WRIST_X + m[10] * z + m[14]);
+        const vec3 at = place_in_picture(&scene->view, p);
+        const vec3 from = i > 0 ? last : at;
+        const vec3 along = v3(at.x - from.x, at.y - from.y, 0.0f);
+        const vec3 there = v3(paper.x - from.x, paper.y - from.y, 0.0f);
+        const float t =
+            f_clamp(v3_dot(there, along) / f_max(v3_dot(along, along), 1e-9f), 0.0f, 1.0f);
+        /* Half of the arm's width in ring radii, times the length of a metre at this point. */
+        const float half = at.z * f_min(0.45f + 0.3f * (z - HAND_FRONT_Z), ARM_HALF_WIDTH);
+        const float width = 1.17f * paper.z + f_lerp(i > 0 ? last_half : half, half, t);
+        if (v3_length(v3_muladd(there, along, -t)) < poi->ring_radius_m * width) {
+            return true;
+        }
+        last = at;
+        last_half = half;
+    }
+    return false;
+}
+
+/* Draws the pattern of the cloth, a tile with flowers of five petals at its middle and corners. */
+static GLuint open_cloth(struct gl_status *status)
+{
+    uint8_t texels[CLOTH_SIDE * CLOTH_SIDE];
+    for (uint32_t i = 0; i < CLOTH_SIDE * CLOTH_SIDE; i++) {
+        const float x = ((float)(i % CLOTH_SIDE) + 0.5f) / (float)CLOTH_SIDE - 0.5f;
+        const float y = ((float)(i / CLOTH_SIDE) + 0.5f) / (float)CLOTH_SIDE - 0.5f;
+        const bool is_middle = f_abs(x) + f_abs(y) < 0.5f;
+        const float right = is_middle ? x : x - (x < 0.0f ? -0.5f : 0.5f);
+        const float up = is_middle ? y : y - (y < 0.0f ? -0.5f : 0.5f);
+        const float r = f_sqrt(right * right + up * up);
+        const float petal = 0.17f + 0.065f * f_cos(5.0f * f_atan2(right, up));
+        const float shown = f_min((petal - r) * 16.0f, (r - 0.045f) * 22.0f) + 0.5f;
+        texels[i] = (uint8_t)(255.0f * f_clamp(shown, 0.0f, 1.0f));
+    }
+    return gl_texture(status, "cloth",
+                      &(struct gl_texture_desc){ .internal_format = GL_R8,
+                                                 .width = CLOTH_SIDE,
+                                                 .height = CLOTH_SIDE,
+                                                 .pixels = texels,
+                                                 .mipmaps = true,
+                                                 .wrap = GL_REPEAT });
+}
+
+void hand_pass_open(struct gl_status *status, struct hand_pass *pass)
+{
+    static const char *const names[HAND_LAYERS] = { "hand", "hand outline" };
+    static const char *const defines[HAND_LAYERS] = { "#define INSIDE\n", "" };
+    struct shape shape = { 0 };
+    for (uint32_t i = 0; i < HAND_LAYERS; i++) {
+        struct hand_program *const program = &pass->programs[i];
+        program->name =
+            gl_program(status, names[i], defines[i], shader_hand_vert, shader_hand_frag, "cloth");
+        program->frames = glGetUniformLocation(program->name, "frames");
+        program->paint = glGetUniformLocation(program->name, "paint");
+    }
+    pass->cloth = open_cloth(status);
+    hand_mesh(&shape);
+    shape_upload(&shape, &pass->mesh);
+}
+
+void hand_pass_close(struct hand_pass *pass)
+{
+    for (uint32_t i = 0; i < HAND_LAYERS; i++) {
+        glDeleteProgram(pass->programs[i].name);
+    }
+    glDeleteTextures(1, &pass->cloth);
+    shape_close(&pass->mesh);
+}
+
+void hand_pass_prepare(struct hand_pass *pass, const struct scene *scene)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        struct hand_frames *const frames = &pass->frames[i];
+        if (scene->poi[i].present) {
+            hand_frames_of(frames, scene, &scene->poi[i]);
+            frames->covers_paper = false;
+            for (uint32_t k = 0; k < POI_MAX; k++) {
+                frames->covers_paper |=
+                    scene->poi[k].present && may_cover(scene, frames, &scene->poi[k]);
+            }
+        }
+    }
+}
+
+void hand_pass_draw(const struct hand_pass *pass, const struct scene *scene, enum hand_layer layer)
+{
+    const struct hand_program *const program = &pass->programs[layer];
+    glUseProgram(program->name);
+    gl_bind_texture(0, GL_TEXTURE_2D, pass->cloth);
+    glEnable(GL_CULL_FACE);
+    if (layer == HAND_OUTLINE) {
+        glEnable(GL_BLEND);
+        glDepthFunc(GL_LESS); /* Pixels of the layer HAND_INSIDE are not drawn again. */
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct hand_frames *const frames = &pass->frames[i];
+        if (scene->poi[i].present && (layer == HAND_OUTLINE || !frames->covers_paper)) {
+            const float *const paint = poi_paint(scene->poi[i].owner);
+            glUniformMatrix4fv(program->frames, HAND_FRAMES, GL_FALSE, frames->matrices[0]);
+            glUniform4f(program->paint, paint[0], paint[1], paint[2], frames->stretch);
+            shape_draw(&pass->mesh);
+        }
+    }
+    glDepthFunc(GL_LEQUAL);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+}

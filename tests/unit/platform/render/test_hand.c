@@ -1,0 +1,196 @@
+/* test_hand.c -- Tests the mesh of the hand that holds a poi and its frames. Also tests that no
+ * hand hides paper. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/scene_helpers.h"
+#include "platform/render/display_gl.h"
+#include "tests/unit/support/display_fixture.h"
+
+static struct shape shape;
+
+/* Distance along the handle, in ring radii, at which the player's number is drawn. */
+#define NUMBER_AT 2.3f
+
+static void test_the_mesh_leaves_the_ring_and_the_number_on_the_handle_free(void **state)
+{
+    (void)state;
+    shape.vertex_count = shape.index_count = 0;
+    hand_mesh(&shape);
+    assert_in_range(shape.index_count / 3u, 300, 800);
+    for (uint32_t i = 0; i < shape.vertex_count; i++) {
+        const struct shape_vertex *const vertex = &shape.vertices[i];
+        assert_true(vertex->position.z > NUMBER_AT);
+        assert_float_equal(v3_length(vertex->normal), 1.0f, 1e-3f);
+        assert_true(vertex->u >= 0.0f && vertex->u <= 1.0f);
+    }
+}
+
+static void test_the_thumb_lies_on_the_handle_and_fingers_wrap_it(void **state)
+{
+    (void)state;
+    /* Heights of the skin above and below the handle, within the width of the handle. */
+    float above = 0.0f, below = 0.0f;
+    shape.vertex_count = shape.index_count = 0;
+    hand_mesh(&shape);
+    for (uint32_t i = 0; i < shape.vertex_count; i++) {
+        const vec3 p = shape.vertices[i].position;
+        if (shape.vertices[i].v < 0.0f && f_abs(p.x) < 0.14f && p.z < 3.4f) {
+            above = f_max(above, p.y);
+            below = f_min(below, p.y);
+        }
+    }
+    assert_true(above > 0.3f && above < 0.7f);
+    assert_true(below < -0.5f && below > -0.9f);
+}
+
+/* Returns the point of the world to which a frame moves a point of the mesh. */
+static vec3 moved(const float frame[16], vec3 p)
+{
+    return v3(frame[0] * p.x + frame[4] * p.y + frame[8] * p.z + frame[12],
+              frame[1] * p.x + frame[5] * p.y + frame[9] * p.z + frame[13],
+              frame[2] * p.x + frame[6] * p.y + frame[10] * p.z + frame[14]);
+}
+
+/* Puts one poi into the scene. */
+static struct scene_poi *hold(vec3 at_m, struct angles angles, float handle_rad)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        scene.poi[i].present = scene.bowl[i].present = 0;
+    }
+    struct scene_poi *const poi = &scene.poi[0];
+    poi->present = 1;
+    poi->ring_radius_m = 0.04f;
+    poi->position_m = at_m;
+    poi->angles = angles;
+    poi->handle_rad = handle_rad;
+    poi->sag_m = 0.0f;
+    poi->water_m = 0.0f;
+    memset(poi->integrity, 255, sizeof poi->integrity);
+    return poi;
+}
+
+static void test_the_arm_of_a_person_comes_from_the_near_side(void **state)
+{
+    (void)state;
+    const vec3 wrist = v3(0.22f, 0.14f, 5.0f), elbow = v3(0.22f, 0.14f, 8.0f);
+    core_scene(&core, &scene);
+    for (int i = 0; i < 27; i++) {
+        const struct angles angles = { (float)(i % 3 - 1) * 1.2f, (float)(i / 9 - 1) * 0.7f,
+                                       (float)(i / 3 % 3 - 1) * 1.4f };
+        struct hand_frames frames;
+        hand_frames_of(&frames, &scene, hold(v3(0.1f, 0.0f, -0.1f), angles, 0.0f));
+        /* The hand and the forearm meet at the wrist. */
+        const vec3 joint = moved(frames.matrices[0], wrist);
+        for (uint32_t k = 1; k < HAND_FRAMES; k++) {
+            assert_true(v3_length(v3_sub(joint, moved(frames.matrices[k], wrist))) < 1e-4f);
+        }
+        const vec3 way = v3_sub(moved(frames.matrices[1], elbow), joint);
+        assert_true(way.z > 0.02f && way.y >= 0.0f);
+        /* The forearm is less steep than the view of the camera, so that the forearm runs down the
+         * picture and away from the paper. */
+        assert_true(way.y < 0.73f * v3_length(way));
+    }
+}
+
+static void test_the_arm_of_a_bot_follows_the_handle(void **state)
+{
+    (void)state;
+    for (int i = -3; i <= 3; i++) {
+        struct hand_frames frames;
+        const struct scene_poi *const poi =
+            hold(v3(0.1f, 0.05f, 0.0f), (struct angles){ 0 }, 0.1f + (float)i);
+        const vec3 back = scene_handle_axes(poi).back;
+        hand_frames_of(&frames, &scene, poi);
+        const float *const arm = frames.matrices[1];
+        assert_true(v3_dot(v3_normalize_or(v3(arm[8], 0.0f, arm[10]), back), back) > 0.999f);
+    }
+}
+
+static void test_the_arm_ends_outside_the_tank(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 9; i++) {
+        struct hand_frames frames;
+        const vec3 at_m = v3(0.3f * (float)(i % 3 - 1), 0.05f, 0.2f * (float)(i / 3 - 1));
+        hand_frames_of(&frames, &scene, hold(at_m, (struct angles){ 0 }, 0.3f * (float)i - 1.1f));
+        const vec3 end = moved(frames.matrices[2], v3(0.22f, 0.14f, 6.3f + 6.0f * frames.stretch));
+        assert_true(f_abs(end.x) > 0.5f * scene.tank_size_m.x ||
+                    f_abs(end.z) > 0.5f * scene.tank_size_m.z);
+    }
+}
+
+/* Counts the pixels of the poi's paper that differ between two pictures. */
+static uint32_t changed_paper(const struct scene_poi *poi)
+{
+    const struct basis axes = vec_basis_from_angles(poi->angles);
+    const struct basis camera = view_basis(&scene.view);
+    const float tan_y = view_half_height_tan(&scene.view, (float)WIDTH / (float)HEIGHT);
+    uint32_t count = 0;
+    for (int i = 0; i < 400; i++) {
+        const float x = ((float)(i % 20) - 9.5f) / 10.0f, z = ((float)(i / 20) - 9.5f) / 10.0f;
+        const vec3 local = v3_scale(v3(x, 0.0f, z), 0.95f * poi->ring_radius_m);
+        const vec3 p = v3_add(poi->position_m, vec_basis_to_world(&axes, local));
+        const vec3 ray = v3_sub(p, scene.view.eye_m);
+        const float deep = v3_dot(ray, camera.back) * -tan_y;
+        const float u = v3_dot(ray, camera.right) / deep / ((float)WIDTH / (float)HEIGHT);
+        const float v = v3_dot(ray, camera.up) / deep;
+        if (x * x + z * z <= 1.0f && f_abs(u) < 1.0f && f_abs(v) < 1.0f) {
+            const uint32_t column = (uint32_t)((0.5f + 0.5f * u) * (float)WIDTH);
+            const uint32_t row = (uint32_t)((0.5f - 0.5f * v) * (float)HEIGHT);
+            const uint32_t at = (row * WIDTH + column) * 3u;
+            count += memcmp(pixels[0] + at, pixels[1] + at, 3) != 0;
+        }
+    }
+    return count;
+}
+
+/* Draws the scene with its hands to pixels[0] and without hands to pixels[1]. Returns the number of
+ * bytes that differ. */
+static uint32_t compare_without_hands(void)
+{
+    const GLsizei whole = display.renderer.hand.mesh.index_count;
+    uint32_t changed = 0;
+    picture(pixels[0]);
+    display.renderer.hand.mesh.index_count = 3; /* The first triangle, at the top of the palm, has
+                                                   no area. */
+    picture(pixels[1]);
+    display.renderer.hand.mesh.index_count = whole;
+    for (uint32_t i = 0; i < PIXELS_SIZE; i++) {
+        changed += pixels[0][i] != pixels[1][i];
+    }
+    return changed;
+}
+
+static void test_a_hand_is_drawn_but_hides_no_paper(void **state)
+{
+    (void)state;
+    /* The second poi is under the arm of the first poi. */
+    struct scene_poi *const far = hold(v3(0.0f, 0.06f, -0.12f), (struct angles){ 0 }, 0.0f);
+    scene.fish_count = 0;
+    scene.poi[1] = *far;
+    scene.poi[1].owner = 1;
+    scene.poi[1].position_m = v3(0.11f, 0.03f, 0.16f);
+    assert_true(compare_without_hands() > PIXELS_SIZE / 50u);
+    assert_int_equal(changed_paper(&scene.poi[0]), 0);
+    assert_int_equal(changed_paper(&scene.poi[1]), 0);
+    assert_true(display.renderer.hand.frames[0].covers_paper);
+    assert_false(display.renderer.hand.frames[1].covers_paper);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_mesh_leaves_the_ring_and_the_number_on_the_handle_free),
+        cmocka_unit_test(test_the_thumb_lies_on_the_handle_and_fingers_wrap_it),
+        WITH_DISPLAY(test_the_arm_of_a_person_comes_from_the_near_side),
+        WITH_DISPLAY(test_the_arm_of_a_bot_follows_the_handle),
+        WITH_DISPLAY(test_the_arm_ends_outside_the_tank),
+        WITH_DISPLAY(test_a_hand_is_drawn_but_hides_no_paper),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
