@@ -121,6 +121,8 @@ static void header_bake(char **paths)
         { "PATTERN_HEIGHT", PATTERN_HEIGHT, "... and round the girth from the back; wraps." },
         { "PATTERN_LAYERS", PATTERN_LAYERS, "From all red to nearly white." },
         { "ENVIRONMENT_SIZE", ENVIRONMENT_SIZE, "RGB8; uv = .5 + .5 dir.xz / (1 + dir.y)." },
+        { "BACKDROP_WIDTH", BACKDROP_WIDTH, "RGB8; night, then day; row 0 is the street." },
+        { "BACKDROP_HEIGHT", BACKDROP_HEIGHT, "Rows of each of the two pictures." },
         { "WOOD_SIZE", WOOD_SIZE, "R8; tiles; grain runs along x." },
         { "PAPER_SIZE", PAPER_SIZE, "R8; tiles; 128 is plain paper." },
         { "FONT_WIDTH", FONT_ATLAS_WIDTH, "R8; ASSET_FONT_ROWS and _PAGES are in fonts.h." },
@@ -137,7 +139,7 @@ static void header_bake(char **paths)
                 numbers[i].why);
     }
     fputs("\n/* Texels, row 0 first, channels interleaved, rows unpadded. */\n", file);
-    static const char *const blobs[] = { "caustics", "patterns", "environment",
+    static const char *const blobs[] = { "caustics", "patterns", "environment", "backdrop",
                                          "wood",     "paper",    "font" };
     for (size_t i = 0; i < sizeof blobs / sizeof *blobs; i++) {
         fprintf(file, "extern const uint8_t asset_%s[];\n", blobs[i]);
@@ -161,6 +163,7 @@ static const struct asset {
       bake_patterns, NULL },
     { "environment", "FILE", 1, (size_t)ENVIRONMENT_SIZE *ENVIRONMENT_SIZE * 3u, bake_environment,
       NULL },
+    { "backdrop", "FILE", 1, (size_t)BACKDROP_WIDTH *BACKDROP_HEIGHT * 6u, bake_backdrop, NULL },
     { "wood", "FILE", 1, (size_t)WOOD_SIZE *WOOD_SIZE, bake_wood, NULL },
     { "paper", "FILE", 1, (size_t)PAPER_SIZE *PAPER_SIZE, bake_paper, NULL },
     { "header", "FILE", 1, 0, NULL, header_bake },

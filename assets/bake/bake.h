@@ -26,6 +26,9 @@
 #define PATTERN_HEIGHT 64u
 #define PATTERN_LAYERS 7u
 #define ENVIRONMENT_SIZE 128u
+/* Size in texels of each of the two pictures of the street behind the stall: night, and day. */
+#define BACKDROP_WIDTH 1024u
+#define BACKDROP_HEIGHT 256u
 #define WOOD_SIZE 256u
 #define PAPER_SIZE 128u
 /* Width of the font atlas, a texture width that OpenGL ES 3.0 guarantees. */
@@ -79,6 +82,7 @@ void bake_put_capitals(FILE *file, const char *words);
 void bake_caustics(uint8_t *r8);
 void bake_patterns(uint8_t *rg8);
 void bake_environment(uint8_t *rgb8);
+void bake_backdrop(uint8_t *rgb8);
 void bake_wood(uint8_t *r8);
 void bake_paper(uint8_t *r8);
 

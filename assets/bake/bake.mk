@@ -7,11 +7,11 @@ BAKE_BUILD := $(BUILD)/assets/bake
 # The bake tool runs on the building machine, even if CC compiles for another machine.
 BUILD_CC ?= cc
 BAKE_CFLAGS := -std=c17 -O2 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE -I.
-BAKE_PARTS := bake noise caustics patterns environment wood paper text font stb words
+BAKE_PARTS := bake noise caustics patterns environment backdrop wood paper text font stb words
 BAKE_OBJ := $(BAKE_PARTS:%=$(BAKE_BUILD)/%.o)
 
 TEXT_FILES := assets/text/ja.txt assets/text/en.txt
-TEXTURES := caustics patterns environment wood paper
+TEXTURES := caustics patterns environment backdrop wood paper
 BLOBS := $(TEXTURES:%=$(GENERATED)/%.bin) $(GENERATED)/font.bin
 GENERATED_HEADERS := $(GENERATED)/assets.h $(GENERATED)/fonts.h $(GENERATED)/text_keys.h
 GENERATED_OBJ += $(GENERATED)/blobs.o $(GENERATED)/fonts.o $(GENERATED)/text_table.o

@@ -11,6 +11,7 @@ asset_\name:
     blob caustics
     blob patterns
     blob environment
+    blob backdrop
     blob wood
     blob paper
     blob font

@@ -5,13 +5,51 @@
 in vec3 world; // Position in the player's axes. KEPT: position in the world.
 in vec3 face;
 uniform sampler2D wood;
+uniform sampler2DArray backdrop; // Street behind the stall by night and by day (backdrop.c).
 out vec4 color;
 
 const float RIM_M = 0.032;
+const float DROP_CELL_M = 0.028; // Side of a square of wet wood that has at most one drop.
 
 float grain(vec2 at)
 {
     return texture(wood, at).r;
+}
+
+// Returns the picture of the street at a place of its plane, blurred by `blur` mipmap levels. The
+// picture is a good deal wider than the far edge of the rim. Beyond its sides follows its mirror
+// image.
+vec3 street(vec2 at, float blur)
+{
+    float wide = 3.3 * abs(from_world(tank.xz).x);
+    float is_day = step(0.9, evening.w);
+    vec3 texel = vec3(at.x / wide + 0.5, (at.y + 0.012) * 4.0 / wide, is_day);
+    return textureLod(backdrop, texel, blur).rgb;
+}
+
+// Returns the colour of wet wood: `dry` with a film of water that reflects the lamps of the street,
+// and with drops.
+vec3 wet(vec3 dry, vec3 at)
+{
+    vec3 viewer = vec3(from_world(eye.xz), eye.y).xzy;
+    vec3 ray = at - viewer;
+    float far = (abs(from_world(tank.xz).y) + at.z) / max(-ray.z, 0.05);
+    float film = smoothstep(0.44, 0.60, textureLod(wood, at.xz * vec2(1.3, 2.6) + 0.31, 4.0).r);
+    // One drop, or none, lies in each cell. The lamps make a bright point on its far side, and the
+    // drop gathers their light on its near side.
+    vec2 cell = floor(at.xz / DROP_CELL_M);
+    vec3 chance = fract(sin(dot(cell, vec2(12.9898, 78.233)) + vec3(0.0, 1.3, 2.9)) * 43758.5453);
+    vec2 drop = at.xz / DROP_CELL_M - cell - mix(vec2(0.3), vec2(0.7), chance.xy);
+    float radius = 0.24 * chance.z * step(0.55, chance.z);
+    float r = length(drop) / max(radius, 0.001);
+    float inside = 1.0 - smoothstep(0.85, 1.0, r);
+    float point = 1.0 - smoothstep(0.1, 0.3, length(drop / max(radius, 0.001) - vec2(0.15, -0.45)));
+    vec2 tilt = drop * inside * 0.9;
+    float high = -0.7 * far * ray.y;
+    vec3 lamps = street(vec2(at.x + far * ray.x, high) + tilt, 4.0 - 3.0 * inside);
+    lamps *= lamps * (0.05 + 0.40 * film + 0.25 * inside) / (1.0 + 5.0 * high * high);
+    vec3 soaked = dry * (1.0 - 0.35 * film) * (1.0 + inside * clamp(2.5 * drop.y, -0.3, 0.5));
+    return soaked + lamps + lamp_light(at) * (0.6 * point * inside);
 }
 
 float lamp_pool(float falloff)
@@ -28,21 +66,28 @@ void main()
 #endif
     color = kept;
 }
+#elif defined(BACKDROP)
+void main()
+{
+    // The street is darkest right behind the rim, which hides the light of the bulbs.
+    float low = smoothstep(-0.02, 0.10, world.y);
+    color = vec4(street(world.xy, 0.0) * (0.55 + 0.45 * low), 1.0);
+}
 #elif defined(COUNTER)
 void main()
 {
     vec2 past = abs(world.xz) - abs(from_world(tank.xz)) - RIM_M;
-    float contact = smoothstep(0.0, 0.055, max(past.x, past.y));
-    float t = grain(world.xz * vec2(2.2, 6.2));
-    vec3 tint = mix(vec3(0.075, 0.042, 0.030), vec3(0.33, 0.20, 0.12), t);
-    float pool = lamp_pool(2.2);
-    // Two paper lanterns stand at the far corners of the stall. The lamps of the stall hang over
-    // the middle.
-    vec2 lantern = vec2(abs(world.x) - 0.66, world.z + 0.30);
-    float glow = 1.0 / (1.0 + dot(lantern, lantern) * 26.0);
-    vec3 light = lamp_light(world) * (0.12 + 0.85 * pool * pool)
-        + vec3(1.25, 0.62, 0.26) * (glow * glow);
-    color = vec4(tint * light * (0.35 + 0.65 * contact), 1.0);
+    float away = max(max(past.x, past.y), 0.0);
+    float contact = smoothstep(-0.01, world.z > 0.0 && past.y > past.x ? 0.025 : 0.045, away);
+    float t = grain(world.xz * vec2(1.4, 3.4));
+    vec3 tint = mix(vec3(0.15, 0.075, 0.045), vec3(0.52, 0.30, 0.17), t);
+    // The bulbs over the tank light the counter beside it. Lanterns hang at the far corners.
+    vec2 lantern = vec2(abs(world.x) - abs(from_world(tank.xz).x) - 0.22, world.z + 0.30);
+    float glow = 1.0 / (1.0 + dot(lantern, lantern) * 22.0);
+    float beside = 1.0 / (1.0 + away * away * 26.0);
+    vec3 light = evening.rgb * (0.30 + 0.70 * evening.w * evening.w)
+        + bulbs.rgb * (0.62 * beside + 0.02) + bulbs.r * vec3(0.60, 0.28, 0.11) * (glow * glow);
+    color = vec4(wet(tint * light, world) * (0.30 + 0.70 * contact), 1.0);
 }
 #elif defined(RIM)
 void main()
@@ -67,8 +112,9 @@ void main()
     bool near_plank = !across && world.z > 0.0;
     float seen = near_plank ? inner : clamp((1.0 - width) / pixel, 0.0, 1.0);
     lamp *= near_plank ? 1.0 : 0.4 + 0.6 * inner;
-    color = vec4(tint * ((1.0 + bevel) * joined * lamp) * vec3(1.10, 0.99, 0.86)
-        * sqrt(lamp_light(world)), 1.0) * seen;
+    vec3 dry = tint * ((1.0 + bevel) * joined * lamp) * vec3(1.10, 0.99, 0.86)
+        * sqrt(lamp_light(world));
+    color = vec4(wet(dry, world), 1.0) * seen;
 }
 #else
 void main()
@@ -77,8 +123,9 @@ void main()
     float t = grain(along * vec2(1.5, 6.0));
     vec3 tint = mix(vec3(0.20, 0.09, 0.04), vec3(0.56, 0.32, 0.16), t);
     float height = smoothstep(-0.012, tank.w, world.y);
-    float wet = 0.55 + 0.45 * smoothstep(0.004, 0.010, world.y);
-    wet = mix(wet, 1.0, max(face.z, 0.0));
-    color = vec4(tint * (0.42 + 0.50 * height) * (0.85 + 0.25 * face.z) * wet * lamp_light(world), 1.0);
+    float damp = 0.55 + 0.45 * smoothstep(0.004, 0.010, world.y);
+    damp = mix(damp, 1.0, max(face.z, 0.0));
+    float lit = (0.42 + 0.50 * height) * (0.85 + 0.25 * face.z) * damp;
+    color = vec4(tint * lit * lamp_light(world), 1.0);
 }
 #endif

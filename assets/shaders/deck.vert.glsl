@@ -9,19 +9,23 @@ out vec3 face;
 
 const float RIM_M = 0.032;
 const float FAR_M = 1.2;
+const float BACK_M = 0.02;  // Breadth of the counter behind the far edge of the rim.
+const float STREET_M = 0.8; // Height of the picture of the street.
 
-float step_out(float corner_step, float half_size)
+float step_out(float corner_step, float half_size, float counter_m)
 {
     float beyond = max(abs(corner_step) - 1.0, 0.0);
-    float out_m = min(beyond, 1.0) * RIM_M + max(beyond - 1.0, 0.0) * FAR_M;
+    float out_m = min(beyond, 1.0) * RIM_M + max(beyond - 1.0, 0.0) * counter_m;
     return sign(corner_step) * (half_size + out_m);
 }
 
 void main()
 {
     vec2 size = abs(from_world(tank.xz));
-    world = vec3(step_out(corner.x, size.x), 0.0, step_out(corner.z, size.y));
+    world = vec3(step_out(corner.x, size.x, FAR_M), 0.0,
+                 step_out(corner.z, size.y, corner.z < 0.0 ? BACK_M : FAR_M));
     world.y = corner.y > 0.5 ? tank.w : corner.y < -0.5 ? -0.012 : -0.02;
+    world.y = corner.y > 1.5 ? STREET_M : world.y;
     face = normal;
     vec3 place = vec3(to_world(world.xz), world.y).xzy;
 #ifdef KEPT

@@ -105,8 +105,8 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .params = LIVING_WAKIN,
         .view = {
             .eye_m = { 0.0f, 1.00f, 0.70f },
-            .target_m = { 0.0f, -0.02f, 0.034f },
-            .half_height_tan = 0.247f,
+            .target_m = { 0.0f, -0.02f, -0.006f },
+            .half_height_tan = 0.257f,
             .aspect_min = 16.0f / 9.0f,
         },
         .turned_view = {
@@ -140,8 +140,8 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
             .eye_m = { 0.0f, 1.622f, 0.448f }, /* The camera looks down more steeply than in the
                                                   festival preset, because the tank of the 2013
                                                   thesis is twice as wide (x) as it is long (z). */
-            .target_m = { 0.0f, -0.02f, 0.008f },
-            .half_height_tan = 0.258f,
+            .target_m = { 0.0f, -0.02f, -0.024f },
+            .half_height_tan = 0.263f,
             .aspect_min = 16.0f / 9.0f,
         },
         .turned_view = {
@@ -176,7 +176,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
             .eye_m = { 0.0f, 1.622f, 0.421f }, /* From this camera position the water is visible
                                                   over a wall that stands 13 cm above the
                                                   surface. */
-            .target_m = { 0.0f, -0.02f, -0.019f },
+            .target_m = { 0.0f, -0.02f, -0.042f },
             .half_height_tan = 0.274f,
             .aspect_min = 16.0f / 9.0f,
         },

@@ -36,6 +36,14 @@ void textures_open(struct gl_status *status, struct textures *textures)
                                                                   .width = ASSET_ENVIRONMENT_SIZE,
                                                                   .height = ASSET_ENVIRONMENT_SIZE,
                                                                   .pixels = asset_environment });
+    textures->backdrop = gl_texture(status, "backdrop",
+                                    &(struct gl_texture_desc){ .internal_format = GL_RGB8,
+                                                               .width = ASSET_BACKDROP_WIDTH,
+                                                               .height = ASSET_BACKDROP_HEIGHT,
+                                                               .layers = 2,
+                                                               .pixels = asset_backdrop,
+                                                               .mipmaps = true,
+                                                               .wrap = GL_MIRRORED_REPEAT });
     textures->wood = grey_tile(status, "wood", asset_wood, ASSET_WOOD_SIZE, true);
     textures->paper = grey_tile(status, "paper", asset_paper, ASSET_PAPER_SIZE, false);
 }
@@ -69,6 +77,6 @@ float textures_hue(uint32_t look)
 void textures_close(struct textures *textures)
 {
     const GLuint names[] = { textures->caustics, textures->patterns, textures->environment,
-                             textures->wood, textures->paper };
+                             textures->backdrop, textures->wood,     textures->paper };
     glDeleteTextures(sizeof names / sizeof *names, names);
 }

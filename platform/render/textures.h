@@ -11,6 +11,7 @@ struct textures {
     /* Array texture of the goldfish patterns: the red patches and the scales. */
     GLuint patterns;
     GLuint environment; /* Environment map that the water reflects. */
+    GLuint backdrop; /* Array texture of the street behind the stall: layer 0 by night, 1 by day. */
     GLuint wood;
     GLuint paper;
 };

@@ -89,6 +89,7 @@ FEATURE_LINES = {
     'volumes of music and effects, quiet hours, and the light in the menu': 61,
     'a hand with a sleeve that holds each poi': 404,
     'light of a summer night, in the shaders and on each fish, and daylight by a setting': 64,
+    'the street behind the stall, by night and by day, and the wet wood around the tank': 380,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.

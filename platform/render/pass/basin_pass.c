@@ -27,6 +27,7 @@ enum basin_part {
     PART_EDGE,
     PART_COUNTER,
     PART_SIDES,
+    PART_BACKDROP,
     PART_RIM,
     PART_MIRROR,
     PART_KEPT,
@@ -77,6 +78,8 @@ static const struct face faces[] = {
     /* Outer side of the rim's near edge. The player cannot see the outer sides of the other
      * edges. */
     { { -2, -1, 2 }, { 2, -1, 2 }, { 2, 1, 2 }, { -2, 1, 2 }, { 0, 0, 1 } },
+    /* Street behind the stall. */
+    { { -3, -1, -3 }, { 3, -1, -3 }, { 3, 2, -3 }, { -3, 2, -3 }, { 0, 0, 1 } },
     /* Top of the rim, in the order far, near, left, right. */
     { { -2, 1, -2 }, { 2, 1, -2 }, { 2, 1, -1 }, { -2, 1, -1 }, UP },
     { { -2, 1, 1 }, { 2, 1, 1 }, { 2, 1, 2 }, { -2, 1, 2 }, UP },
@@ -87,8 +90,8 @@ static const struct face faces[] = {
 };
 #define FACE_COUNT (sizeof faces / sizeof *faces)
 
-static const uint8_t part_faces[PART_END + 1] = { 0,  0,  0,  1,          5,         9,
-                                                  13, 17, 18, FACE_COUNT, FACE_COUNT };
+static const uint8_t part_faces[PART_END + 1] = { 0,  0,  0,  1,  5,          9,
+                                                  13, 14, 18, 19, FACE_COUNT, FACE_COUNT };
 
 /* Shader program of each part of the tank. */
 static const struct {
@@ -100,9 +103,12 @@ static const struct {
     [PART_SURFACE] = { "water", "", shader_water_vert, shader_water_frag, "ground life mirror" },
     [PART_EDGE] = { "water edge", "#define EDGE\n", shader_water_vert, shader_water_frag,
                     "ground life mirror" },
-    [PART_COUNTER] = { "counter", "#define COUNTER\n", shader_deck_vert, shader_deck_frag, "wood" },
-    [PART_SIDES] = { "rim sides", "", shader_deck_vert, shader_deck_frag, "wood" },
-    [PART_RIM] = { "rim", "#define RIM\n", shader_deck_vert, shader_deck_frag, "wood" },
+    [PART_COUNTER] = { "counter", "#define COUNTER\n", shader_deck_vert, shader_deck_frag,
+                       "wood backdrop" },
+    [PART_SIDES] = { "rim sides", "", shader_deck_vert, shader_deck_frag, "wood backdrop" },
+    [PART_BACKDROP] = { "backdrop", "#define BACKDROP\n", shader_deck_vert, shader_deck_frag,
+                        "wood backdrop" },
+    [PART_RIM] = { "rim", "#define RIM\n", shader_deck_vert, shader_deck_frag, "wood backdrop" },
     [PART_MIRROR] = { "mirror", "#define MIRROR\n", shader_water_vert, shader_mirror_frag,
                       "slopes environment" },
     [PART_KEPT] = { "kept deck", "#define KEPT\n", shader_deck_vert, shader_deck_frag, "wood" },
@@ -276,9 +282,11 @@ void basin_pass_keep_deck(struct basin_pass *pass, const struct frame_block *fra
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT);
     gl_bind_texture(0, GL_TEXTURE_2D, textures->wood);
+    gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, textures->backdrop);
     /* The faces are drawn from the lowest to the highest. */
     draw_part(pass, PART_COUNTER);
     draw_part(pass, PART_SIDES);
+    draw_part(pass, PART_BACKDROP);
     glEnable(GL_BLEND);
     draw_part(pass, PART_RIM);
     glDisable(GL_BLEND);

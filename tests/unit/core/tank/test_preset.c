@@ -87,6 +87,26 @@ static void check_fits(uint8_t id, float aspect)
     }
 }
 
+/* The rim of the tank is 32 mm wide (deck.vert.glsl). */
+#define RIM_M 0.032f
+
+/* The street behind the stall takes a tenth of the height of a 16:9 screen, and the panels of the
+ * players, which take a seventh, cover no water. */
+static void test_the_street_is_visible_behind_each_tank(void **state)
+{
+    (void)state;
+    for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
+        const struct tank_preset *preset = tank_preset(id);
+        const float rim_m = preset->wall_height_m - preset->size_m.y;
+        const float far_m = -0.5f * preset->size_m.z;
+        const float aspect = 16.0f / 9.0f;
+        const vec3 rim = on_screen(&preset->view, aspect, v3(0.0f, rim_m, far_m - RIM_M));
+        const vec3 water = on_screen(&preset->view, aspect, v3(0.0f, 0.0f, far_m));
+        const vec3 near = on_screen(&preset->view, aspect, v3(0.0f, rim_m, RIM_M - far_m));
+        assert_true(rim.y < 0.80f && water.y < 1.0f - 2.0f / 7.0f && near.y > -0.90f);
+    }
+}
+
 static void test_each_tank_is_visible_on_wide_and_narrow_screens(void **state)
 {
     (void)state;
@@ -196,6 +216,7 @@ int main(void)
         cmocka_unit_test(test_the_festival_preset_has_the_documented_values),
         cmocka_unit_test(test_the_ages_of_the_festival_give_fish_of_3_to_8_cm),
         cmocka_unit_test(test_four_bowls_float_inside_each_tank_and_apart),
+        cmocka_unit_test(test_the_street_is_visible_behind_each_tank),
         cmocka_unit_test(test_each_tank_is_visible_on_wide_and_narrow_screens),
         cmocka_unit_test(test_the_tank_fills_a_portrait_screen),
         cmocka_unit_test(test_turned_axes_convert_back),

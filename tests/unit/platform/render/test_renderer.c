@@ -65,6 +65,29 @@ static void test_the_tank_is_bright_and_warm_under_a_bulb_by_night_and_even_by_d
     assert_true(sum_of(pixels[1]) > sum_of(pixels[0]) + sum_of(pixels[0]) / 10u);
 }
 
+/* Returns the sum of one colour channel over the row of pixels at the top of the picture. */
+static uint32_t sum_of_top(const uint8_t rgb[PIXELS_SIZE], uint32_t colour)
+{
+    uint32_t sum = 0;
+    for (uint32_t x = 0; x < WIDTH; x++) {
+        sum += rgb[x * 3u + colour];
+    }
+    return sum;
+}
+
+static void test_a_street_with_lamps_by_night_and_bright_by_day_is_behind_the_tank(void **state)
+{
+    (void)state;
+    scene.phase = PHASE_WORDLESS;
+    picture(pixels[0]);
+    assert_true(sum_of_top(pixels[0], 0) > sum_of_top(pixels[0], 2) + WIDTH * 10u);
+    assert_true(sum_of_top(pixels[0], 0) > WIDTH * 50u);
+    const struct display_settings day = { .light = 1.0f, .is_day = 1 };
+    device.ops->set_transform(device.self, &day);
+    picture(pixels[1]);
+    assert_true(sum_of_top(pixels[1], 2) > 2u * sum_of_top(pixels[0], 2));
+}
+
 /* Returns the sum of one colour channel over the 5 x 5 pixels in the middle of the picture. */
 static uint32_t middle(const uint8_t rgb[PIXELS_SIZE], uint32_t colour)
 {
@@ -404,6 +427,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         WITH_DISPLAY(test_a_fish_a_hole_and_a_wave_each_change_the_picture),
         WITH_DISPLAY(test_the_tank_is_bright_and_warm_under_a_bulb_by_night_and_even_by_day),
+        WITH_DISPLAY(test_a_street_with_lamps_by_night_and_bright_by_day_is_behind_the_tank),
         WITH_DISPLAY(test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_below),
         WITH_DISPLAY(test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank),
         WITH_DISPLAY(test_stress_is_drawn_brighter_only_in_practice),
