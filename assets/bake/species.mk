@@ -1,6 +1,9 @@
 # species.mk -- bakes assets/species/*.txt into constant tables of the core.
 
 SPECIES := wakin kurodai shimafugu kuroanago hirame ray mebachi
+# Varieties of the goldfish, which are only drawn (platform/render/textures.h). The core's table does not
+# contain them, so they change no state hash.
+VARIETIES := demekin ryukin
 # The sources of bake_species: all files of core/morph and platform/species without library.c,
 # which depends on the table that this file bakes.
 SPECIES_PARTS := assets/bake/species \
@@ -10,11 +13,12 @@ SPECIES_PARTS := assets/bake/species \
     platform/os/print
 # Compiled for the building machine, separately from the kiosk's objects.
 SPECIES_OBJ := $(SPECIES_PARTS:%=$(BUILD)/bake_host/%.o)
+GENERATED_OBJ += $(VARIETIES:%=$(BUILD)/generated/species_%.o)
 GENERATED_CORE_OBJ += $(SPECIES:%=$(BUILD)/generated/species_%.o) $(BUILD)/generated/species_table.o
 BUILD_CC ?= cc
 SPECIES_CFLAGS := -std=c17 -O2 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE -I.
 
-generated: $(SPECIES:%=$(BUILD)/generated/species_%.c) $(BUILD)/generated/species_table.c
+generated: $(SPECIES:%=$(BUILD)/generated/species_%.c) $(VARIETIES:%=$(BUILD)/generated/species_%.c) $(BUILD)/generated/species_table.c
 
 $(BUILD)/bake_species: $(SPECIES_OBJ)
 	$(call step,LINK,$@)

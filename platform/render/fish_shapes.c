@@ -10,7 +10,6 @@ void fish_shapes_open(struct gl_status *status, struct fish_shapes *shapes,
                       const struct species_mesh *mesh)
 {
     CORE_ASSERT(mesh->vertex_count <= MESH_VERTEX_MAX);
-    shapes->mesh = mesh;
     shapes->width = 2u * mesh->vertex_count;
     for (uint32_t i = 0; i < SCENE_FISH_MAX; i++) {
         shapes->progress[i] = -1.0f;
@@ -52,12 +51,12 @@ static void write_texel(uint16_t texel[4], vec3 v)
     texel[3] = 0;
 }
 
-void fish_shapes_set(struct fish_shapes *shapes, const struct morph_rig *rig, uint32_t row,
-                     float progress)
+void fish_shapes_set(struct fish_shapes *shapes, const struct morph_rig *rig,
+                     const struct species_mesh *mesh, uint32_t row, float progress)
 {
     CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
-    CORE_ASSERT(row < SCENE_FISH_MAX);
-    if (shapes->progress[row] == progress) {
+    CORE_ASSERT(row < SCENE_FISH_MAX && 2u * mesh->vertex_count == shapes->width);
+    if (shapes->progress[row] == progress && shapes->mesh[row] == mesh) {
         return;
     }
     if (shapes->run_count == SHAPE_RUN || row != shapes->run_first + shapes->run_count) {
@@ -66,14 +65,15 @@ void fish_shapes_set(struct fish_shapes *shapes, const struct morph_rig *rig, ui
     if (shapes->run_count == 0) {
         shapes->run_first = row;
     }
-    morph_pose(rig, shapes->mesh, progress, &shapes->pose);
-    morph_shape(shapes->mesh, rig->key_count, &shapes->pose, shapes->positions, shapes->normals);
+    morph_pose(rig, mesh, progress, &shapes->pose);
+    morph_shape(mesh, rig->key_count, &shapes->pose, shapes->positions, shapes->normals);
     uint16_t(*const out)[4] = shapes->run + (size_t)shapes->run_count * shapes->width;
-    for (uint32_t i = 0; i < shapes->mesh->vertex_count; i++) {
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         write_texel(out[2u * i], shapes->positions[i]);
         write_texel(out[2u * i + 1u], shapes->normals[i]);
     }
     shapes->progress[row] = progress;
+    shapes->mesh[row] = mesh;
     shapes->run_count++;
     shapes->written_count++;
 }

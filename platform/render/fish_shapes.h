@@ -17,12 +17,12 @@
 #define SHAPE_RUN 8u
 
 struct fish_shapes {
-    const struct species_mesh *mesh;
     GLuint texture;
     uint32_t width; /* Number of texels of a row. */
     /* Progress through life that each row shows, [0, 1]. A negative value means that the row has
      * not been written yet. */
     float progress[SCENE_FISH_MAX];
+    const struct species_mesh *mesh[SCENE_FISH_MAX]; /* Mesh that each row shows. */
     /* First row (`run_first`) and number (`run_count`) of the rows in `run`, which have not been
      * uploaded yet. */
     uint32_t run_first, run_count;
@@ -41,9 +41,10 @@ void fish_shapes_close(struct fish_shapes *shapes);
  * fish_shapes_end() once. */
 void fish_shapes_begin(struct fish_shapes *shapes);
 /* Writes the shape of one fish to the row `row`, unless the row already has this shape. The shape
- * is blended with the deformation graphs of `rig` at `progress` through life, [0, 1]. Fastest if
- * the rows are written in ascending order. */
-void fish_shapes_set(struct fish_shapes *shapes, const struct morph_rig *rig, uint32_t row,
-                     float progress);
+ * is blended from `mesh`, which has as many vertices as the mesh of fish_shapes_open(), with the
+ * deformation graphs of `rig` at `progress` through life, [0, 1]. Fastest if the rows are written
+ * in ascending order. */
+void fish_shapes_set(struct fish_shapes *shapes, const struct morph_rig *rig,
+                     const struct species_mesh *mesh, uint32_t row, float progress);
 /* Uploads the written rows that have not been uploaded yet. */
 void fish_shapes_end(struct fish_shapes *shapes);

@@ -55,7 +55,8 @@ static uint32_t kind_of(uint32_t look)
     return look >> 8u & 15u;
 }
 
-#define BLACK_KIND 12u /* The kind that is black, one fish in sixteen. */
+#define BLACK_KIND 12u  /* The kind that is black, one fish in sixteen. */
+#define RYUKIN_KIND 15u /* The kind with blotches, half of whose fish are ryukin. */
 
 /* Returns the pattern layer for the appearance number `look`. The fish are as at a stall: of the
  * sixteen kinds six are all red (0), six have a pale belly or pale flanks (1, 2), one is black with
@@ -72,6 +73,13 @@ float textures_hue(uint32_t look)
 {
     const float hue = (float)(look >> 16u & 1023u) / 1023.0f;
     return kind_of(look) == BLACK_KIND ? 1.0f + hue : hue;
+}
+
+const struct species *textures_variety(uint32_t look)
+{
+    const uint32_t kind = kind_of(look);
+    const bool is_ryukin = kind == RYUKIN_KIND && (look >> 30u & 1u) != 0;
+    return kind == BLACK_KIND ? &species_demekin : is_ryukin ? &species_ryukin : &species_wakin;
 }
 
 void textures_close(struct textures *textures)

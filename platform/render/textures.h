@@ -2,7 +2,12 @@
  * is uploaded once. */
 #pragma once
 
+#include "core/morph/species.h"
 #include "platform/render/gl_util.h"
+
+/* Varieties of the goldfish. The simulation has only the wakin. A variety has the keys, lengths and
+ * growth of the wakin and a mesh of the same topology, so that only its shape differs. */
+extern const struct species species_demekin, species_ryukin;
 
 struct textures {
     /* Array texture of the light pattern (caustics) on the floor. The layers are the frames of one
@@ -23,5 +28,9 @@ float textures_pattern(uint32_t look);
 /* Returns the hue of a fish with the appearance number `look` (see struct scene_fish): [0, 1] from
  * vermilion to orange, and above 1, up to 2, for a black fish. */
 float textures_hue(uint32_t look);
+
+/* Returns the variety of a fish with the appearance number `look` (see struct scene_fish). The
+ * black fish are demekin, one fish of 32 is a ryukin with patches, and all others are wakin. */
+const struct species *textures_variety(uint32_t look);
 
 void textures_close(struct textures *textures);

@@ -76,7 +76,8 @@ struct key_text {
     /* Position x of the rear edge of the gill cover. 0 means that the species text has no `gill`
      * line. */
     float gill;
-    bool confluent; /* Copy of the field `confluent` of struct species_text. */
+    /* Copies of the fields `confluent` and `double_tail` of struct species_text. */
+    bool confluent, double_tail;
     uint32_t substep_count;
     struct station stations[STATION_MAX];
     struct eye eyes[2]; /* Right eye, then left eye. */
@@ -117,6 +118,9 @@ struct species_text {
     /* True if the dorsal fin, the tail fin and the anal fin form one continuous fin, as in an
      * eel. */
     bool confluent;
+    /* True if the tail fin is double, as in a ryukin. The rays of the text are those of its right
+     * half, from the fold on the midline to the lower edge. */
+    bool double_tail;
     /* Set of the parts that the species lacks in every key. Each enum species_part has one bit. */
     uint32_t without;
     struct key_text keys[MORPH_KEY_MAX]; /* Drawing of each key (modelled growth stage). */

@@ -73,6 +73,30 @@ static void add_fin_vertex(struct lofting *l, enum species_part part, int side, 
     }
 }
 
+/* Positions of the lower and the upper tip of a double tail along its half, from the fold (0) to
+ * the lower edge (1). A mesh with few columns has only the fold and the two tips. */
+#define DOUBLE_LOWER_TIP 0.8
+#define DOUBLE_UPPER_TIP 0.2
+#define DOUBLE_COLUMNS_MIN 7u
+
+/* Returns the position along the tail fin's base, [0, 1], of the column at the fraction `t` of all
+ * columns. The columns are closer to each other near the tips of the lobes, which are round. The
+ * columns of a double tail are equally spaced. */
+static double tail_column(const struct lofting *l, double t)
+{
+    if (!l->species->double_tail) {
+        return 0.5 - 0.5 * cos(PI * t);
+    }
+    if (l->detail->fins[PART_TAIL].across >= DOUBLE_COLUMNS_MIN) {
+        return t;
+    }
+    const double from_fold = fabs(2.0 * t - 1.0);
+    const double at = from_fold > 0.75   ? DOUBLE_LOWER_TIP
+                      : from_fold > 0.25 ? DOUBLE_UPPER_TIP
+                                         : 0.0;
+    return 0.5 + (t < 0.5 ? -0.5 : 0.5) * at;
+}
+
 static void add_fin(struct lofting *l, enum species_part part, int side)
 {
     CORE_ASSERT(part >= PART_TAIL && part < PART_COUNT);
@@ -83,10 +107,8 @@ static void add_fin(struct lofting *l, enum species_part part, int side)
         return;
     }
     for (uint32_t i = 0; i < across; i++) {
-        /* `at` is the position of column `i` (a ray) along the fin's base, [0, 1]. The columns of
-         * the tail fin are closer to each other near the tips of its lobes, which are round. */
         const double t = (double)i / (across - 1);
-        const double at = part == PART_TAIL ? 0.5 - 0.5 * cos(PI * t) : t;
+        const double at = part == PART_TAIL ? tail_column(l, t) : t;
         const uint8_t anchor = part == PART_TAIL ? ANCHOR_NONE : add_root(l, part, side, at);
         for (uint32_t j = 0; j < along; j++) {
             /* `row` is the position of row `j` along the ray, [0, 1]. In the near mesh, the second

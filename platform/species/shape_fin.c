@@ -77,10 +77,20 @@ v3d shape_end_point(const struct key_text *key, double t, double v)
                   1.0 + t * (shape_body_end(key) - 1.0) };
 }
 
-/* Returns a point of the tail fin's base. The base is limited to the height of the tail stalk. `at`
- * is 0 at the upper end and 1 at the lower end of the base. */
-static v3d tail_root(const struct key_text *key, double at)
+/* Returns the position on a ray of the text for position `at` of the tail fin's mesh. The mesh of a
+ * double tail runs from the lower edge of its right half (0) over the fold (0.5) to the lower edge
+ * of its left half (1). The text has only the rays of the right half. */
+static double tail_at(const struct key_text *key, double at)
 {
+    return key->double_tail ? fabs(2.0 * at - 1.0) : at;
+}
+
+/* Returns a point of the tail fin's base. The base is limited to the height of the tail stalk.
+ * `mesh_at` is a position of the tail fin's mesh. The upper end of the base is where tail_at() is
+ * 0. */
+static v3d tail_root(const struct key_text *key, double mesh_at)
+{
+    const double at = tail_at(key, mesh_at);
     const struct fin *fin = &key->fins[PART_TAIL];
     const double x = 1.0 - fmin(TAIL_SINK, STALK_SINK * stalk_depth(key));
     const struct station s = shape_section(key, x);
@@ -165,7 +175,8 @@ static v3d ray_point(const struct key_text *key, enum species_part part, double 
 {
     const struct fin *fin = &key->fins[part];
     struct ray ray;
-    shape_interpolate(fin->rays, 4, fin->ray_count, false, at, &ray);
+    shape_interpolate(fin->rays, 4, fin->ray_count, false,
+                      part == PART_TAIL ? tail_at(key, at) : at, &ray);
     const double length = (double)ray.length;
     const double sink = part == PART_TAIL ? 0.0 : sink_at(key, base_x(fin, at));
     const double shown = fmax(length - sink, SHOWN_MIN);
@@ -178,7 +189,8 @@ static v3d ray_point(const struct key_text *key, enum species_part part, double 
         /* The tail fin is flat at the tail stalk and reaches its full sideways extent only behind
          * the stalk. Otherwise the tail fin would cut through the sides of the stalk. */
         const double start = shape_body_end(key);
-        p.x *= fmin(fmax((p.z - start) / CUP_OPENS, 0.0), 1.0);
+        const double side = key->double_tail ? (at < 0.5) - (at > 0.5) : 1.0;
+        p.x *= side * fmin(fmax((p.z - start) / CUP_OPENS, 0.0), 1.0);
     }
     return p;
 }

@@ -311,8 +311,12 @@ static bool check_species(struct species_reader *r)
             "confluent fins need the dorsal, tail and anal fin, but 'without' lists one of these "
             "fins");
     }
+    if (s->confluent && s->double_tail) {
+        return species_reader_error(r, "confluent fins cannot have a double tail");
+    }
     for (uint32_t i = 0; i < card->key_count; i++) {
         s->keys[i].confluent = s->confluent;
+        s->keys[i].double_tail = s->double_tail;
         r->line = r->key_line[i];
         if (!check_key(r, i)) {
             return false;

@@ -80,7 +80,7 @@ static bool read_eye(struct species_reader *r)
 {
     static const char *const sides[] = { "right", "left" };
     static const struct range ranges[] = {
-        { 0.005f, 0.5f }, { -0.5f, 0.5f }, { 0.004f, 0.3f }, { 0.0f, 0.8f }, { 0.0f, 180.0f }
+        { 0.005f, 0.5f }, { -0.5f, 0.5f }, { 0.004f, 0.3f }, { 0.0f, 1.2f }, { 0.0f, 180.0f }
     };
     struct eye eye = { 0 };
     uint8_t first = 0, last = 1;

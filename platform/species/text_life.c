@@ -49,6 +49,12 @@ static bool read_without(struct species_reader *r)
     return true;
 }
 
+static bool read_double(struct species_reader *r)
+{
+    r->species->double_tail = true;
+    return true;
+}
+
 static bool read_confluent(struct species_reader *r)
 {
     r->species->confluent = true;
@@ -316,6 +322,7 @@ const struct line_word text_life_words[] = {
     { "motion", 1, 1, "motion", read_kind },
     { "without", 1, TEXT_WORD_MAX, "FIN ..", read_without },
     { "confluent", 0, 0, "", read_confluent },
+    { "double", 0, 0, "", read_double },
     { "growth", 3, 3, "LENGTH_INF_M K_PER_YEAR T0_YEAR", read_growth },
     { "hatch", 2, 2, "LENGTH_M FADE_YEAR", read_hatch },
     { "point", 2, 2, "AGE_DAYS MM", read_point },

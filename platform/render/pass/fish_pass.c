@@ -164,7 +164,9 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene, const 
         fish_shapes_begin(&pass->shapes[lod]);
         for (uint32_t i = 0; i < scene->fish_count; i++) {
             if (pass->lod[pass->group[i]] == lod) {
-                fish_shapes_set(&pass->shapes[lod], &pass->rig, i, scene->fish[i].progress);
+                const struct scene_fish *const fish = &scene->fish[i];
+                fish_shapes_set(&pass->shapes[lod], &pass->rig,
+                                &textures_variety(fish->look)->lod[lod], i, fish->progress);
             }
         }
         fish_shapes_end(&pass->shapes[lod]);

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "core/base/panic.h"
+#include "platform/render/textures.h"
 #include "platform/render/ui/lab/ui_lab.h"
 #include "platform/render/ui/ui_widgets.h"
 
@@ -55,7 +56,7 @@ static void draw_album_fish(const struct ui_frame *frame, const struct scene_gro
     const struct species_card *const card = &species_wakin.card;
     const float key = 1.0f / ((float)card->key_count - 1.0f);
     const float whole = fminf(1.0f - key, life_progress(card, fish->caught_age_days));
-    struct specimen specimen = { .species = &species_wakin,
+    struct specimen specimen = { .species = textures_variety(fish->look),
                                  .progress = fish->progress,
                                  .look = fish->look,
                                  .ripe = f_smoothstep(whole - key, whole, fish->progress),

@@ -1,8 +1,9 @@
-/* test_textures.c -- Tests how frequent the patterns and colours of goldfish are. */
+/* test_textures.c -- Tests how frequent the patterns, colours and varieties of goldfish are. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -33,6 +34,82 @@ static void test_twelve_of_sixteen_fish_are_plain_and_one_is_black(void **state)
     assert_in_range(black, FISH_COUNT * 5u / 100u, FISH_COUNT * 8u / 100u);
 }
 
+static void test_black_fish_are_demekin_and_a_few_fish_with_patches_are_ryukin(void **state)
+{
+    (void)state;
+    uint32_t ryukin = 0;
+    for (uint32_t i = 0; i < FISH_COUNT; i++) {
+        const uint32_t look = look_of(i);
+        const struct species *const variety = textures_variety(look);
+        assert_int_equal(variety == &species_demekin, textures_hue(look) > 1.0f);
+        assert_true(variety != &species_ryukin || textures_pattern(look) >= PLAIN_LAYERS);
+        ryukin += variety == &species_ryukin;
+    }
+    assert_in_range(ryukin, FISH_COUNT * 2u / 100u, FISH_COUNT * 4u / 100u);
+}
+
+/* The fish pass draws all varieties with the triangles, the attributes and the graphs of the
+ * wakin. */
+static void check_twin_of_wakin(const struct species *variety)
+{
+    assert_int_equal(variety->card.key_count, species_wakin.card.key_count);
+    assert_memory_equal(variety->card.key_length_m, species_wakin.card.key_length_m,
+                        sizeof species_wakin.card.key_length_m);
+    assert_memory_equal(variety->card.curves, species_wakin.card.curves,
+                        sizeof species_wakin.card.curves);
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        const struct species_mesh *const mesh = &variety->lod[lod];
+        const struct species_mesh *const wakin = &species_wakin.lod[lod];
+        assert_int_equal(mesh->vertex_count, wakin->vertex_count);
+        assert_int_equal(mesh->index_count, wakin->index_count);
+        assert_memory_equal(mesh->indices, wakin->indices,
+                            wakin->index_count * sizeof *wakin->indices);
+        for (uint32_t i = 0; i < wakin->vertex_count; i++) {
+            const struct species_vertex *const vertex = &mesh->vertices[i];
+            const struct species_vertex *const other = &wakin->vertices[i];
+            assert_int_equal(vertex->part, other->part);
+            assert_int_equal(vertex->side, other->side);
+            assert_memory_equal(vertex->mask, other->mask, sizeof other->mask);
+            assert_true(vertex->part == PART_TAIL || f_abs(vertex->u - other->u) < 0.05f);
+        }
+    }
+}
+
+static void test_each_variety_has_the_topology_and_growth_of_the_wakin(void **state)
+{
+    (void)state;
+    check_twin_of_wakin(&species_demekin);
+    check_twin_of_wakin(&species_ryukin);
+}
+
+/* Returns the largest distance of the vertices of `part` from the midline in the key `key`, in body
+ * lengths. Distances of an eye are from its anchor on the skin. */
+static float reach_of(const struct species *species, enum species_part part, uint32_t key)
+{
+    const struct species_mesh *const mesh = &species->lod[0];
+    int32_t reach = 0;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const int32_t x = mesh->points[key][i].x;
+        reach = mesh->vertices[i].part == part && x > reach ? x : reach;
+    }
+    return (float)reach * mesh->reach / 32767.0f;
+}
+
+static void test_a_demekin_has_telescope_eyes_and_both_varieties_have_a_wide_tail(void **state)
+{
+    (void)state;
+    const uint32_t fish_of_a_stall = 3, fry = 0;
+    assert_true(reach_of(&species_demekin, PART_EYE, fish_of_a_stall) >
+                3.0f * reach_of(&species_wakin, PART_EYE, fish_of_a_stall));
+    assert_float_equal(reach_of(&species_demekin, PART_EYE, fry),
+                       reach_of(&species_wakin, PART_EYE, fry), 0.002f);
+    const float narrow = reach_of(&species_wakin, PART_TAIL, fish_of_a_stall);
+    assert_true(reach_of(&species_demekin, PART_TAIL, fish_of_a_stall) > 1.7f * narrow);
+    assert_true(reach_of(&species_ryukin, PART_TAIL, fish_of_a_stall) > 1.7f * narrow);
+    assert_true(reach_of(&species_demekin, PART_BODY, fish_of_a_stall) >
+                1.3f * reach_of(&species_wakin, PART_BODY, fish_of_a_stall));
+}
+
 static void test_a_black_fish_is_dark_at_the_back_and_bronze_when_young(void **state)
 {
     (void)state;
@@ -49,6 +126,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_twelve_of_sixteen_fish_are_plain_and_one_is_black),
+        cmocka_unit_test(test_black_fish_are_demekin_and_a_few_fish_with_patches_are_ryukin),
+        cmocka_unit_test(test_each_variety_has_the_topology_and_growth_of_the_wakin),
+        cmocka_unit_test(test_a_demekin_has_telescope_eyes_and_both_varieties_have_a_wide_tail),
         cmocka_unit_test(test_a_black_fish_is_dark_at_the_back_and_bronze_when_young),
     };
     return cmocka_run_group_tests_name("textures", tests, NULL, NULL);

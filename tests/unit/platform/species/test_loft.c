@@ -236,6 +236,26 @@ static void test_confluent_fins_end_at_the_tail_edges(void **state)
     }
 }
 
+/* The half of a double tail that the text describes is on the right side, and the other half is its
+ * mirror image. Both halves meet at the fold on the midline. */
+static void test_a_double_tail_has_two_mirrored_halves(void **state)
+{
+    (void)state;
+    const struct key_text *key = &drawn("double\n", "", "template smooth\n")->keys[0];
+    for (int i = 0; i <= 8; i++) {
+        for (int k = 0; k <= 4; k++) {
+            const v3d right = shape_fin_point(key, PART_TAIL, i / 16.0, k / 4.0);
+            const v3d left = shape_fin_point(key, PART_TAIL, 1.0 - i / 16.0, k / 4.0);
+            assert_true(fabs(right.x + left.x) < 1e-12);
+            assert_true(fabs(right.y - left.y) < 1e-12 && fabs(right.z - left.z) < 1e-12);
+            assert_true(i < 8 || right.x == 0.0);
+        }
+    }
+    /* The first ray of the text is the fold, and the last ray is the lower edge of each half. */
+    assert_true(shape_fin_point(key, PART_TAIL, 0.5, 0.0).y >
+                shape_fin_point(key, PART_TAIL, 0.0, 0.0).y);
+}
+
 /* Two curves cover the same area, so each curve gets half of 255. If both halves were rounded up to
  * 128, their sum would exceed 255. */
 static void test_masks_that_round_up_together_still_sum_to_255(void **state)
@@ -320,6 +340,7 @@ int main(void)
         cmocka_unit_test(test_eyes_of_a_thin_head_do_not_intersect),
         cmocka_unit_test(test_a_fin_ray_has_its_root_inside_the_body_and_its_second_point_outside),
         cmocka_unit_test(test_confluent_fins_end_at_the_tail_edges),
+        cmocka_unit_test(test_a_double_tail_has_two_mirrored_halves),
         cmocka_unit_test(test_masks_that_round_up_together_still_sum_to_255),
         cmocka_unit_test(test_masks_sum_to_255_and_are_continuous),
         cmocka_unit_test(test_a_curve_area_has_a_soft_mask),

@@ -171,6 +171,15 @@ static void test_confluent_requires_the_joined_fins(void **state)
     assert_refused(with_head("confluent 1\n"), "write: confluent");
 }
 
+static void test_a_double_tail_cannot_be_confluent(void **state)
+{
+    (void)state;
+    assert_read(with_head("double\n"));
+    assert_true(species.keys[2].double_tail);
+    assert_refused(with_head("double 2\n"), "write: double");
+    assert_refused(with_head("double\nconfluent\n"), "confluent fins cannot have a double tail");
+}
+
 static void test_a_coat_has_five_colours_and_two_shares(void **state)
 {
     (void)state;
@@ -339,6 +348,7 @@ int main(void)
         cmocka_unit_test(test_eyes_are_a_pair_or_separate_and_can_migrate),
         cmocka_unit_test(test_second_dorsal_and_finlets_must_be_in_all_keys_or_none),
         cmocka_unit_test(test_confluent_requires_the_joined_fins),
+        cmocka_unit_test(test_a_double_tail_cannot_be_confluent),
         cmocka_unit_test(test_a_coat_has_five_colours_and_two_shares),
         cmocka_unit_test(test_a_mark_has_a_kind_a_part_a_colour_and_settings),
         cmocka_unit_test(test_invalid_marks_are_rejected),
