@@ -130,7 +130,10 @@ static int create_context(struct display_gl *display)
         .samples = display->config.samples,
         .library = display->config.library,
     };
-    if (renderer_open(&display->renderer, &wanted) != HAL_OK) {
+    /* A single picture needs only few of the programs. */
+    if (renderer_open(&display->renderer, &wanted) != HAL_OK ||
+        (!display->config.off_screen &&
+         renderer_warm_up(&display->renderer, &display->shown) != HAL_OK)) {
         return display_gl_fail(display, "renderer", display->renderer.status.text);
     }
     if (display->is_placed) {
