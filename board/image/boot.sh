@@ -8,30 +8,7 @@ release=$(cat "$kernel_root/release")
 # fsck answers its own questions with yes, because no operator is present.
 words="quiet fsck.repair=yes loglevel=3 panic=5 oops=panic systemd.getty_auto=0 systemd.gpt_auto=0 vt.global_cursor_default=0 $kernel_words"
 
-# Makes the folder that the initramfs mounts over the modules of each system. The modules for USB disks lie in a tree of
-# their own, so that udev cannot load them: only the update page does (modprobe --dirname).
-make_kernel_modules() { # FOLDER
-    mkdir -p "$1"
-    install_modules "$1" "$boot_modules $modules"
-    mv "$1/usr/lib/modules/$release" "$1/$release"
-    rm -r "$1/usr" "$1/lib"
-    install_modules "$1/usb-disk" "$usb_disk_modules"
-}
-
-make_initrd() {
-    local image=$IMAGE/initrd
-    rm -rf "$image"
-    mkdir -p "$image/bin"
-    cp "$kernel_root/bin/busybox" "$image/bin/busybox"
-    install "$here/initramfs" "$image/init"
-    install -m 644 "$here/slots/slots.sh" "$image/slots.sh"
-    echo "$boot_modules" >"$image/boot_modules"
-    install_modules "$image" "$boot_modules"
-    make_kernel_modules "$image/kernel-modules"
-    find "$image" -exec touch -h -d "@$made_s" {} +
-    (cd "$image" && find . | sort | cpio -o -H newc --quiet --reproducible -R 0:0) | zstd -q -f -9 -o "$IMAGE/initrd.zst"
-    rm -rf "$image"
-}
+fill_initrd() { :; } # The disk of a PC adds nothing.
 
 # For UEFI: systemd's boot loader, without a menu and without an editor for kernel parameters.
 make_boot() {
@@ -51,6 +28,6 @@ make_boot() {
 }
 
 step "the kernel: $release"
-make_initrd
+make_initrd bin
 make_boot
 echo "$words" >"$IMAGE/kernel_words"

@@ -20,54 +20,13 @@ install_kiosk() { # FOLDER: installs the Debian packages of this tree. packages.
     rm -r "$root/debs"
 }
 
-# Installs the tools that start, test and replace the system of a root slot (UPDATE.md).
-install_updates() { # FOLDER
-    local root=$1
-    install -d "$root/usr/lib/kingyo"
-    install -m 644 "$here/slots/slots.sh" "$root/usr/lib/kingyo/slots.sh"
-    install -m 755 "$here/slots/mark-good" "$root/usr/lib/kingyo/mark-good"
-    install -m 755 "$here/update/kingyo-update" "$root/usr/lib/kingyo/kingyo-update"
-    install -m 644 "$here/update/package.sh" "$root/usr/lib/kingyo/package.sh"
-    printf 'board %s\nversion %s\nname %s\n' "$board" "$update_version" "$update_name" >"$IMAGE/update-version"
-    install -m 644 "$IMAGE/update-version" "$root/usr/lib/kingyo/update-version"
-    ln -s /etc/systemd/system/kingyo-slot-good.service "$root/etc/systemd/system/multi-user.target.wants/"
-    # Without a key the image accepts no update, and the menu has no update page.
-    if [ -n "$UPDATE_KEY" ]; then
-        install -m 644 "$UPDATE_KEY" "$root/usr/lib/kingyo/update.pub"
-        ln -s /etc/systemd/system/kingyo-update.path "$root/etc/systemd/system/multi-user.target.wants/"
-        install -d "$root/etc/tmpfiles.d"
-        printf 'd /run/kingyo-update 0755 root root -\nf /run/kingyo-update/status 0644 root root - closed\n' \
-            >"$root/etc/tmpfiles.d/kingyo-update.conf"
-    fi
-}
-
-make_root() {
-    local root=$IMAGE/root
-    rm -rf --one-file-system "$root"
-    mkdir -p "$root"
-    tar -x --numeric-owner -C "$root" -f "$cache/root.tar"
-    install_kiosk "$root"
-    settle "$root"
-    install -d "$root/usr/lib/modules" # The initramfs mounts the modules of its kernel here.
-    install_updates "$root"
-    strip_root "$root"
-    mksquashfs "$root" "$IMAGE/root.sqfs" -comp "$squeeze" -noappend -no-progress -quiet -mkfs-time "$made_s" -all-time "$made_s" >/dev/null
-    kiosk_owner=$(owner "$root")
-    rm -rf --one-file-system "$root"
-}
+settle_board() { :; } # The disk of a PC adds nothing.
 
 # Makes the data partition: empty, and owned by the kiosk.
 make_data() {
     rm -f "$IMAGE/data.ext4"
     truncate -s "${data_size}M" "$IMAGE/data.ext4"
     mkfs.ext4 -q -F -L kingyo-data -m 0 -E "root_owner=$kiosk_owner,lazy_itable_init=0,lazy_journal_init=0" "$IMAGE/data.ext4"
-}
-
-# Makes the state of a new disk (slots/slots.sh): the system of slot a is good.
-make_slots() {
-    rm -f "$IMAGE/slots"
-    truncate -s 1M "$IMAGE/slots"
-    (. "$here/slots/slots.sh" && slots_write "$IMAGE/slots" a - 0)
 }
 
 # Slot b stays empty until the first update. Both slots have room for a system that is half as large again.
@@ -94,12 +53,7 @@ END
     rm -f "$IMAGE/boot.fat" "$IMAGE/slots" "$IMAGE/data.ext4"
 }
 
-put() { # FILE MIB
-    dd if="$1" of="$disk" bs=1M seek="$2" conv=notrunc,sparse status=none
-}
-
 needs
-[ -z "$UPDATE_KEY" ] || grep -qs '^RW' "$UPDATE_KEY" || { echo "image: $UPDATE_KEY is no public key of minisign" >&2; exit 1; }
 mkdir -p "$IMAGE"
 "$here/root.sh" "$board"
 "$here/boot.sh" "$board"

@@ -2,7 +2,7 @@
 # BUILD and IMAGE set.
 #
 # Downloads are stored in $cache, by release, and are fetched again after a week. Results are stored in $IMAGE.
-# shellcheck shell=bash disable=SC2034,SC1091,SC1090,SC2154  # the scripts that source this file use the variables
+# shellcheck shell=bash disable=SC2034,SC1091,SC1090,SC2154,SC2115  # the scripts that source this file use the variables
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(cd "$here/../.." && pwd)
@@ -27,6 +27,7 @@ step() { printf '[%4d s] image: %s\n' "$SECONDS" "$*"; }
 
 needs() {
     local tool
+    [ -z "$UPDATE_KEY" ] || grep -qs '^RW' "$UPDATE_KEY" || { echo "image: $UPDATE_KEY is no public key of minisign" >&2; exit 1; }
     if [ "$(id -u)" -ne 0 ]; then
         echo 'image: a root file system is made by root; please run: sudo make image' >&2
         exit 1
@@ -63,4 +64,36 @@ install_modules() { # FOLDER MODULES
     done
     [ -e "$1/lib" ] || ln -s usr/lib "$1/lib"
     depmod -b "$1" "$release"
+}
+
+# Makes the folder that the initramfs mounts over the modules of each system. The modules for USB disks lie in a tree of
+# their own, so that udev cannot load them: only the update page does (modprobe --dirname).
+make_kernel_modules() { # FOLDER
+    local release
+    release=$(cat "$kernel_root/release")
+    mkdir -p "$1"
+    install_modules "$1" "$boot_modules $modules"
+    mv "$1/usr/lib/modules/$release" "$1/$release"
+    rm -r "$1/usr" "$1/lib"
+    install_modules "$1/usb-disk" "$usb_disk_modules"
+}
+
+# Makes the initramfs, $IMAGE/initrd.zst, of a board with two root slots, or of a system that is only an initramfs.
+# fill_initrd adds the files of the board.
+make_initrd() { # FOLDER of busybox in the package
+    local image=$IMAGE/initrd
+    rm -rf "$image"
+    mkdir -p "$image/bin"
+    cp "$kernel_root/$1/busybox" "$image/bin/busybox"
+    echo "$boot_modules" >"$image/boot_modules"
+    install_modules "$image" "$boot_modules"
+    if [ "${layout:-root}" = root ]; then
+        install "$here/initramfs" "$image/init"
+        install -m 644 "$here/slots/slots.sh" "$image/slots.sh"
+        make_kernel_modules "$image/kernel-modules"
+    fi
+    fill_initrd "$image"
+    find "$image" -exec touch -h -d "@$made_s" {} +
+    (cd "$image" && find . | LC_ALL=C sort | cpio -o -H newc --quiet --reproducible -R 0:0) | zstd -q -f -9 -o "$IMAGE/initrd.zst"
+    rm -rf "$image"
 }

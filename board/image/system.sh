@@ -1,6 +1,6 @@
-# system.sh -- functions for the root file system of an image that both image.sh and card/card.sh use. Source it after
+# system.sh -- functions for the root slots of an image that both image.sh and card/card.sh use. Source it after
 # lib.sh.
-# shellcheck shell=bash disable=SC2154,SC2115  # lib.sh sets the variables
+# shellcheck shell=bash disable=SC2154,SC2115,SC2034,SC1091  # lib.sh sets the variables, and the scripts use them
 
 owner() { # FOLDER: prints the owner of the kiosk's files there, as USER:GROUP.
     sed -n 's/^kingyo:[^:]*:\([0-9]*:[0-9]*\):.*/\1/p' "$1/etc/passwd"
@@ -41,4 +41,54 @@ strip_root() { # FOLDER
         "$root"/etc/{apt,cron.daily,init.d,rc?.d,rcS.d} "$root"/{vmlinuz,initrd.img}*
     # Removes the set-user-id bits, because no user of the image needs them.
     find "$root" -xdev -perm /6000 -type f -exec chmod ug-s {} +
+}
+
+# Installs the tools that start, test and replace the system of a root slot (UPDATE.md).
+install_updates() { # FOLDER
+    local root=$1
+    install -d "$root/usr/lib/kingyo"
+    install -m 644 "$here/slots/slots.sh" "$root/usr/lib/kingyo/slots.sh"
+    install -m 755 "$here/slots/mark-good" "$root/usr/lib/kingyo/mark-good"
+    install -m 755 "$here/update/kingyo-update" "$root/usr/lib/kingyo/kingyo-update"
+    install -m 644 "$here/update/package.sh" "$root/usr/lib/kingyo/package.sh"
+    printf 'board %s\nversion %s\nname %s\n' "$board" "$update_version" "$update_name" >"$IMAGE/update-version"
+    install -m 644 "$IMAGE/update-version" "$root/usr/lib/kingyo/update-version"
+    ln -s /etc/systemd/system/kingyo-slot-good.service "$root/etc/systemd/system/multi-user.target.wants/"
+    # Without a key the image accepts no update, and the menu has no update page.
+    if [ -n "$UPDATE_KEY" ]; then
+        install -m 644 "$UPDATE_KEY" "$root/usr/lib/kingyo/update.pub"
+        ln -s /etc/systemd/system/kingyo-update.path "$root/etc/systemd/system/multi-user.target.wants/"
+        install -d "$root/etc/tmpfiles.d"
+        printf 'd /run/kingyo-update 0755 root root -\nf /run/kingyo-update/status 0644 root root - closed\n' \
+            >"$root/etc/tmpfiles.d/kingyo-update.conf"
+    fi
+}
+
+# Makes the system of a root slot, $IMAGE/root.sqfs. install_kiosk and settle_board are functions of the sourcing script.
+make_root() {
+    local root=$IMAGE/root
+    rm -rf --one-file-system "$root"
+    mkdir -p "$root"
+    tar -x --numeric-owner -C "$root" -f "$cache/root.tar"
+    install_kiosk "$root"
+    settle "$root"
+    settle_board "$root"
+    install -d "$root/usr/lib/modules" # The initramfs mounts the modules of its kernel here.
+    install_updates "$root"
+    strip_root "$root"
+    # shellcheck disable=SC2086  # $squeeze has several words
+    mksquashfs "$root" "$IMAGE/root.sqfs" -comp $squeeze -noappend -no-progress -quiet -mkfs-time "$made_s" -all-time "$made_s" >/dev/null
+    kiosk_owner=$(owner "$root")
+    rm -rf --one-file-system "$root"
+}
+
+# Makes the state of a new disk (slots/slots.sh): the system of slot a is good.
+make_slots() {
+    rm -f "$IMAGE/slots"
+    truncate -s 1M "$IMAGE/slots"
+    (. "$here/slots/slots.sh" && slots_write "$IMAGE/slots" a - 0)
+}
+
+put() { # FILE MIB
+    dd if="$1" of="$disk" bs=1M seek="$2" conv=notrunc,sparse status=none
 }

@@ -39,16 +39,18 @@ test-firmware:
 	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	$(MAKE) --no-print-directory BOARD=vm image && BUILD=$(BUILD) tests/vm/image/test-firmware.sh
 
-## test/test-update: Update the disk image from USB sticks; COUNT=200 power cuts, SEED=1
+update_card = $(filter rpi4,$(BOARD))
+## test/test-update: Update a disk from USB sticks; BOARD=rpi4, COUNT=200 cuts, SEED=1
 test-update:
 	@board/setup.sh test
-	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
+	@tests/vm/ready.sh $(if $(update_card),arm64,bookworm); case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	mkdir -p $(BUILD)/vm && { test -f $(BUILD)/vm/update.key || \
 	    minisign -G -W -p $(BUILD)/vm/update.pub -s $(BUILD)/vm/update.key >/dev/null; } && \
-	$(MAKE) --no-print-directory BOARD=vm UPDATE_KEY=$(BUILD)/vm/update.pub image && \
-	$(MAKE) --no-print-directory -j$(JOBS) vm-guest $(VM_BIN) $(BUILD)/tests/vm/image/cut && \
-	BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh && \
-	BUILD=$(BUILD) COUNT=$(COUNT) SEED=$(SEED) tests/vm/image/test-update.sh
+	$(MAKE) --no-print-directory BOARD=$(or $(update_card),vm) UPDATE_KEY=$(BUILD)/vm/update.pub image && \
+	$(MAKE) --no-print-directory -j$(JOBS) BOARD=desktop vm-guest $(VM_BIN) $(BUILD)/tests/vm/image/cut && \
+	$(if $(update_card),BUILD=$(BUILD) board/deb/cross.sh arm64 vm-guest && BUILD=$(BUILD) tests/vm/board/modules.sh, \
+	    BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh) && \
+	BUILD=$(BUILD) CARD=$(update_card) COUNT=$(COUNT) SEED=$(SEED) tests/vm/image/test-update.sh
 
 ## test/test-kills: Cut the power of a virtual machine KILLS=50 times while coins fall
 test-kills: KILLS ?= 50

@@ -11,29 +11,17 @@ release=$(cat "$kernel_root/release")
 # The root partition is read-only, and a crashed kernel restarts after 5 s. fsck answers its own questions with yes.
 words="quiet fsck.repair=yes loglevel=3 panic=5 oops=panic systemd.getty_auto=0 systemd.gpt_auto=0 vt.global_cursor_default=0 $kernel_words"
 
-# Makes the initramfs the whole system of a poi: its program, its script and its default settings.
-install_poi() { # FOLDER
-    install "$top/board/$board/init" "$1/init"
-    install "$BUILD/cross/$arch/root/kingyo/build/kingyo-poi" "$top/board/poi-gadget/kingyo-poi-gadget" "$1/bin/"
-    install -D -m 644 "$top"/board/poi-gadget/{poi,gadget}.conf -t "$1/etc/kingyo-poi/"
-}
-
-make_initrd() {
-    local image=$IMAGE/initrd
-    rm -rf "$image"
-    mkdir -p "$image/bin"
-    cp "$kernel_root/usr/bin/busybox" "$image/bin/busybox"
+# Adds the files of a card: its partitions are found by the number of the disk. The initramfs of a poi is its whole system:
+# its program, its script and its default settings.
+fill_initrd() { # FOLDER
     if [ "$layout" = initramfs ]; then
-        install_poi "$image"
+        install "$top/board/$board/init" "$1/init"
+        install "$BUILD/cross/$arch/root/kingyo/build/kingyo-poi" "$top/board/poi-gadget/kingyo-poi-gadget" "$1/bin/"
+        install -D -m 644 "$top"/board/poi-gadget/{poi,gadget}.conf -t "$1/etc/kingyo-poi/"
     else
-        install "$here/card/initramfs" "$image/init"
+        install -m 644 "$here/card/disk.sh" "$1/disk.sh"
     fi
-    echo "$boot_modules" >"$image/boot_modules"
-    echo "$disk_id" >"$image/disk_id"
-    install_modules "$image" "$boot_modules"
-    find "$image" -exec touch -h -d "@$made_s" {} +
-    (cd "$image" && find . | LC_ALL=C sort | cpio -o -H newc --quiet --reproducible -R 0:0) | zstd -q -f -9 -o "$IMAGE/initrd.zst"
-    rm -rf "$image"
+    echo "$disk_id" >"$1/disk_id"
 }
 
 # Prints config.txt. The file names nothing that is not on the card.
@@ -94,5 +82,5 @@ make_boot() {
 }
 
 step "the kernel: $release"
-make_initrd
+make_initrd usr/bin
 make_boot

@@ -24,32 +24,16 @@ install_kiosk() { # FOLDER
     ln -s /usr/lib/systemd/system/kingyo.service "$root/etc/systemd/system/multi-user.target.wants/"
 }
 
-# Adds what only the card has: its own units, the names of the header's lines, its partition, and the kernel's modules.
-settle_card() { # FOLDER
+# Adds what only the card has: its own units, the names of the header's lines, and its partition.
+settle_board() { # FOLDER
     local root=$1
     cp -r "$top/board/$board/root/." "$root/"
     cat "$top/board/$board/lines.conf" >>"$root/etc/kingyo/kingyo.conf"
     sed -i "s/^PARTLABEL=kingyo-data /PARTUUID=$disk_id-04 /" "$root/etc/fstab"
     grep -q "^PARTUUID=$disk_id-04 " "$root/etc/fstab"
-    install_modules "$root" "$boot_modules $modules"
     # Of the programs that make units at each start, only the one for fstab is needed. Each costs time.
     find "$root/usr/lib/systemd/system-generators" -mindepth 1 ! -name systemd-fstab-generator -delete
     rm -rf "$root/var/lib/systemd/catalog"
-}
-
-make_root() {
-    local root=$IMAGE/root
-    rm -rf --one-file-system "$root"
-    mkdir -p "$root"
-    tar -x --numeric-owner -C "$root" -f "$cache/root.tar"
-    install_kiosk "$root"
-    settle "$root"
-    settle_card "$root"
-    strip_root "$root"
-    # shellcheck disable=SC2086
-    mksquashfs "$root" "$IMAGE/root.sqfs" -comp $squeeze -noappend -no-progress -quiet -mkfs-time "$made_s" -all-time "$made_s" >/dev/null
-    kiosk_owner=$(owner "$root")
-    rm -rf --one-file-system "$root"
 }
 
 # Makes the data partition: empty, and owned by the kiosk. Room in its tables lets it grow to 256 GiB. mkfs.ext4 uses only
@@ -63,48 +47,33 @@ make_data() {
         "$IMAGE/data.ext4"
 }
 
-# Prints the partition table for sfdisk. The second root partition is empty and reserved.
-partitions() {
-    echo "label: dos
-label-id: 0x$disk_id
-start=${boot_at}M, size=${boot_size}M, type=c, bootable"
-    [ "$layout" = initramfs ] || echo "start=${root_at}M, size=${root_size}M, type=83
-start=$((root_at + root_size))M, size=${root_size}M, type=83
-start=${data_at}M, size=${data_size}M, type=83"
-}
-
 # Makes the disk of a system that is only an initramfs: the boot partition.
 make_boot_disk() {
-    local disk=$IMAGE/kingyo.img.new boot_at=4
+    local disk=$IMAGE/kingyo.img.new
     rm -f "$disk"
     truncate -s $((boot_at + boot_size))M "$disk"
     partitions | sfdisk -q "$disk"
-    put "$IMAGE/boot.fat" $boot_at
+    put "$IMAGE/boot.fat" "$boot_at"
     mv "$disk" "$IMAGE/kingyo.img"
     rm -f "$IMAGE/boot.fat"
 }
 
 make_disk() {
-    local disk=$IMAGE/kingyo.img.new size boot_at=4 root_at data_at
+    local disk=$IMAGE/kingyo.img.new size
     size=$((($(stat -c %s "$IMAGE/root.sqfs") + 1048575) / 1048576))
     [ "$root_size" -ge "$size" ] || {
         echo "image: the root has $size MiB, and root_size in board/$board/image.conf is $root_size" >&2
         return 1
     }
-    root_at=$((boot_at + boot_size))
-    data_at=$((root_at + 2 * root_size))
     rm -f "$disk"
     truncate -s $((data_at + data_size + 1))M "$disk"
     partitions | sfdisk -q "$disk"
-    put "$IMAGE/boot.fat" $boot_at
-    put "$IMAGE/root.sqfs" $root_at
-    put "$IMAGE/data.ext4" $data_at
+    put "$IMAGE/boot.fat" "$boot_at"
+    put "$IMAGE/slots" "$slots_at"
+    put "$IMAGE/root.sqfs" "$root_at"
+    put "$IMAGE/data.ext4" "$data_at"
     mv "$disk" "$IMAGE/kingyo.img"
-    rm -f "$IMAGE/boot.fat" "$IMAGE/data.ext4"
-}
-
-put() { # FILE MIB
-    dd if="$1" of="$disk" bs=1M seek="$2" conv=notrunc,sparse status=none
+    rm -f "$IMAGE/boot.fat" "$IMAGE/slots" "$IMAGE/data.ext4"
 }
 
 # Writes the files that a user downloads: the compressed image, its checksum, and the list of Debian's packages in it.
@@ -130,6 +99,7 @@ main() {
         step "the kiosk, on a root that cannot be written"
         make_root
         make_data
+        make_slots
         step "the card"
         make_disk
         printf '%s/kingyo.img: %d MiB, of which root %d; %s s\n' "$IMAGE" "$(($(stat -c %s "$IMAGE/kingyo.img") >> 20))" \

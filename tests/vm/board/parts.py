@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""parts.py KERNEL BOOT ROOT LEFT_OUT -- checks that the card has a driver for each part of each board.
+"""parts.py KERNEL BOOT FILES LEFT_OUT -- checks that the card has a driver for each part of each board.
 
 QEMU emulates no Raspberry Pi 4. This test therefore reads the device trees on the card (BOOT). For each enabled part of a
 board, the kernel's list of aliases (KERNEL) names the module that drives it. That module must be among the modules on the
-card (in the list of files ROOT), or in the table LEFT_OUT with a reason. Parts without a module have drivers in the kernel
+card (in the list of files of the initramfs, FILES), or in the table LEFT_OUT with a reason. Parts without a module have drivers in the kernel
 itself, or none. Prints one line for each board. Exit code 1: a module is missing, or a row of LEFT_OUT is not needed.
 """
 import fnmatch
@@ -42,10 +42,10 @@ def enabled_parts(path):
 
 
 def main():
-    kernel, boot, root, left_out = sys.argv[1:]
+    kernel, boot, files, left_out = sys.argv[1:]
     aliases = read_aliases(kernel)
     on_card = {re.sub(r"\.ko.*", "", pathlib.Path(line).name).replace("-", "_")
-               for line in pathlib.Path(root).read_text().splitlines() if ".ko" in line}
+               for line in pathlib.Path(files).read_text().splitlines() if ".ko" in line}
     rows = [line.split(None, 1) for line in pathlib.Path(left_out).read_text().splitlines() if line and line[0] != "#"]
     reasons, used, failed = dict(rows), set(), False
     for tree in sorted(pathlib.Path(boot).glob("*.dtb")):

@@ -14,10 +14,10 @@ image=$(cd "$BUILD/image/${CARD:-rpi4}" && pwd)
 . "$here/qemu.sh"
 . "$here/results.sh"
 . "$here/board/card.sh"
-limit_s=${VM_SECONDS:-3600}
+limit_s=${VM_SECONDS:-5400}
 initrd=$cache/initrd.zst disk=$run/card.img
 busybox=$BUILD/image/$suite-$arch/kernel/usr/bin/busybox
-width=640 height=360 frame_buffer=3c100000 # QEMU's video memory: the start of the GPU's memory and 1 MiB.
+width=320 height=180 frame_buffer=3c100000 # QEMU's video memory: the start of the GPU's memory and 1 MiB.
 trap guest_stop EXIT
 trap 'exit 143' TERM INT HUP
 

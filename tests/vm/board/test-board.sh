@@ -14,7 +14,7 @@ failed=0
 parts() {
     local folder
     folder=$(mktemp -d)
-    mcopy -s -i "$cards/kingyo.img@@4M" '::*.dtb' "$folder/" && unsquashfs -l "$cards/root.sqfs" >"$folder/list" &&
+    mcopy -s -i "$cards/kingyo.img@@4M" '::*.dtb' ::initrd "$folder/" && zstd -dcq "$folder/initrd" | cpio -t --quiet >"$folder/list" &&
         "$here/parts.py" "$cache/kernel" "$folder" "$folder/list" "$here/left_out.txt"
     local code=$?
     rm -r "$folder"

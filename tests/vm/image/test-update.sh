@@ -1,14 +1,17 @@
 #!/bin/bash
-# test-update.sh -- updates the disk of `make image BOARD=vm` from USB sticks in an emulated machine.
+# test-update.sh -- updates the disk of `make image BOARD=vm` from USB sticks in an emulated machine. CARD=rpi4 updates the
+# card of that board in QEMU's machine `virt`.
 #
 # The update is a system that does not open a kiosk, so that the machine must return to the old one. All writes of the
 # update are logged; the power is then cut after each entry of the log (COUNT cuts, drawn by SEED), on copies of the disk.
 # Exit code 0 if every line of update_checks.txt passed, otherwise 1.
 # shellcheck disable=SC2154,SC1091,SC2034  # the sourced files set and use these variables
 export BUILD=${BUILD:-build}
-. "$(dirname "$0")/disk.sh" image-update
+. "$(dirname "$0")/disk.sh" "${CARD:-image}-update"
 . "$top/board/image/slots/slots.sh"
-limit_s=${VM_SECONDS:-1800} cuts=${COUNT:-200} seed=${SEED:-1}
+target=${CARD:-vm} other=rpi4 console=ttyS0 limit_s=${VM_SECONDS:-1800}
+[ -z "$CARD" ] || other=vm console=ttyAMA0 limit_s=${VM_SECONDS:-7200}
+cuts=${COUNT:-200} seed=${SEED:-1}
 disk=$cache/disk.img # A later start has the disk of the start before.
 key=$BUILD/vm/update.key log=$cache/writes.log plugged='' plug_count=0
 trap guest_stop EXIT
@@ -34,8 +37,8 @@ make_system() { # FILE: a system that prints a line and restarts, with room for 
     local root=$cache/bad
     rm -rf "$root"
     mkdir -p "$root"/{bin,sbin,proc,sys,dev,run,usr/lib/modules}
-    cp "$modules_cache/busybox" "$root/bin/busybox"
-    printf '%s\n' '#!/bin/busybox sh' '/bin/busybox echo "kingyo-test: slot $(/bin/busybox cat /run/kingyo-slot)" >/dev/ttyS0' \
+    cp "$busybox" "$root/bin/busybox"
+    printf '%s\n' '#!/bin/busybox sh' '/bin/busybox echo "kingyo-test: slot $(/bin/busybox cat /run/kingyo-slot)" >/dev/'"$console" \
         '/bin/busybox sleep 1' '/bin/busybox reboot -f' >"$root/sbin/init"
     chmod +x "$root/sbin/init"
     head -c 14000000 /dev/urandom >"$root/filler"
@@ -64,14 +67,14 @@ make_sticks() {
     mkdir -p "$cache/packages" "$cache/sticks"
     minisign -G -f -W -p "$cache/other.pub" -s "$cache/other" >/dev/null
     make_system "$cache/new.sqfs"
-    for name in good unsigned damaged; do package "$name" vm $((version + 1)); done
-    package wrong-key vm $((version + 1)) "$cache/other"
-    package older vm $((version - 1))
-    package board rpi4 $((version + 1))
+    for name in good unsigned damaged; do package "$name" "$target" $((version + 1)); done
+    package wrong-key "$target" $((version + 1)) "$cache/other"
+    package older "$target" $((version - 1))
+    package board "$other" $((version + 1))
     rm "$cache/packages/unsigned/manifest.minisig"
     printf x | dd of="$cache/packages/damaged/root.sqfs" bs=1 seek=9000000 conv=notrunc status=none
     (cp "$cache/new.sqfs" "$cache/large.sqfs" && truncate -s 400M "$cache/large.sqfs" &&
-        "$top/board/image/update/make_package.sh" "$cache/large.sqfs" vm $((version + 1)) 'Kingyo test' "$key" "$cache/packages/large" &&
+        "$top/board/image/update/make_package.sh" "$cache/large.sqfs" "$target" $((version + 1)) 'Kingyo test' "$key" "$cache/packages/large" &&
         cp "$cache/new.sqfs" "$cache/packages/large/root.sqfs" && rm "$cache/large.sqfs")
     for name in good unsigned damaged wrong-key older board large empty; do stick_of "$name"; done
     head -c 4000000 /dev/urandom >"$cache/sticks/noise"
@@ -110,14 +113,24 @@ boot() { # PASS
     echo "$faults" >"$share/faults"
     : >"$log"
     plugged=''
+    if [ -n "$CARD" ]; then # The kiosk of a card waits for a screen, which this machine does not have.
+        printf '[Unit]\nJobRunningTimeoutSec=1s\n' >"$share/units/dev-kingyo-screen.device.d/95-no-screen.conf"
+    fi
     step "boot the disk: $1"
     guest_start "$limit_s" || true
     guest_listen
     step "the machine is off (qemu ended with $qemu_status)"
 }
 
-part_at() { # NAME: prints the start and the size of a partition in sectors.
-    sfdisk -d "$disk" | sed -n "s/.*start= *\([0-9]*\), size= *\([0-9]*\),.*name=\"kingyo-$1\".*/\1 \2/p"
+part_at() { # NAME: prints the start and the size of a partition in sectors. A card has numbers in place of names.
+    local line
+    case $CARD$1 in
+        root-* | slots) line="name=\"kingyo-$1\"" ;;
+        *slots) line='^[^ ]*5 : ' ;;
+        *root-a) line='^[^ ]*6 : ' ;;
+        *root-b) line='^[^ ]*7 : ' ;;
+    esac
+    sfdisk -d "$disk" | sed -n "/$line/s/.*start= *\([0-9]*\), size= *\([0-9]*\),.*/\1 \2/p"
 }
 
 part() { # NAME FROM TO: copies the beginning of a partition.
@@ -194,5 +207,5 @@ boot good
 coins=$(sqlite3 "$share/out/kept/kingyo.db" 'SELECT coalesce(sum(count), 0) FROM entries WHERE kind = 2' 2>&1 | head -1)
 passes takings "coins in the database: $coins of 4" -- [ "$coins" = 4 ]
 [ ! -s "$share/out/journal" ] || cp "$share/out/journal" "$cache/journal-good"
-table "$checks" 'the update of the disk of make image BOARD=vm' | tee "$cache/table.txt"
+table "$checks" "the update of the disk of make image BOARD=$target" | tee "$cache/table.txt"
 exit "${PIPESTATUS[0]}"

@@ -42,7 +42,7 @@ property() { systemctl show -P "$2" "$1"; }
 
 say "booted $(tr -d '\0' </proc/device-tree/model), $(uname -r), $(up) s after power on"
 card=$(findmnt -no SOURCE /)
-[ "$card" = /dev/mmcblk0p2 ] && [ "$(findmnt -no FSTYPE /)" = squashfs ]
+[ "$card" = /dev/mmcblk0p6 ] && [ "$(findmnt -no FSTYPE /)" = squashfs ]
 found $? sd "root $card on $(cat /sys/block/mmcblk0/device/name 2>/dev/null), $(($(cat /sys/block/mmcblk0/size) / 2048)) MiB"
 refuses_writes
 found $? readonly "$(findmnt -no OPTIONS / | cut -c 1-30)"
@@ -60,7 +60,7 @@ found $? watchdog "$identity, limit $(cat /sys/class/watchdog/watchdog0/timeout)
 lines=$(kingyoctl lines list)
 names_match
 found $? names "$(echo "$lines" | grep -cw 'START\|COIN\|DOOR\|TILT') of 4 lines on $(echo "$lines" | grep -w START)"
-await 1800 shows_attract
+await 3000 shows_attract
 found $? status "phase $(phase), $(up) s after power on"
 say 'shot tank'
 sleep 40 # The host takes the picture.
