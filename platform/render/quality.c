@@ -138,6 +138,10 @@ struct quality quality_lower(const struct quality *best, uint32_t step)
 /* Maximum mean frame duration that counts as on time, in per cent of a refresh period. At this
  * maximum, one frame in nine is late by one refresh period. */
 #define LATE_PERCENT 111u
+/* Maximum mean frame duration from which a finer quality may be tried, in per cent of the intended
+ * duration. Between this value and LATE_PERCENT the quality stays as it is, because a finer quality
+ * would be late. */
+#define REFINE_PERCENT 103u
 /* Mean frame duration, in per cent of the intended duration, from which quality is lowered by two
  * steps at once. */
 #define FAR_PERCENT 150u
@@ -199,13 +203,16 @@ uint32_t quality_governor_frame(struct governor *governor, uint64_t now_ns, bool
     }
     if (governor->sum_ns >= GOVERNOR_PERIOD_S * NS_PER_S) {
         const uint64_t mean_ns = governor->sum_ns / governor->count;
+        const uint64_t aim_ns = governor->turn_ns * governor->turns;
         governor->sum_ns = governor->count = 0;
-        if (mean_ns * 100u > governor->turn_ns * governor->turns * LATE_PERCENT) {
+        if (mean_ns * 100u > aim_ns * LATE_PERCENT) {
             if (governor->is_trying && governor->patience_s < GOVERNOR_PATIENCE_MAX_S) {
                 governor->patience_s *= 2u;
             }
             lower(governor, mean_ns);
             governor->is_trying = false;
+            governor->timely_s = 0;
+        } else if (mean_ns * 100u > aim_ns * REFINE_PERCENT) {
             governor->timely_s = 0;
         } else {
             governor->timely_s += GOVERNOR_PERIOD_S;

@@ -132,6 +132,154 @@ static void test_a_higher_quality_is_tried_between_games_with_increasing_delays(
     assert_int_equal(machine.step, 0);
 }
 
+#define PATIENCE (GOVERNOR_PATIENCE_S / GOVERNOR_PERIOD_S)
+
+/* Shows frames of the same duration, in per cent of the refresh period, for `periods` complete
+ * measurement intervals of the governor. Returns the number of quality changes. */
+static uint32_t show(uint32_t percent, uint32_t periods, bool may_refine)
+{
+    machine.changes = 0;
+    for (uint32_t done = 0; done < periods;) {
+        machine.now_ns += machine.governor.turn_ns * percent / 100u;
+        const uint32_t step = quality_governor_frame(&machine.governor, machine.now_ns, may_refine);
+        done += machine.governor.count == 0 && machine.governor.last_ns > 0;
+        machine.changes += step != machine.step;
+        machine.step = step;
+    }
+    return machine.changes;
+}
+
+/* Begins with a quality that late frames have lowered by two steps. */
+static void begin_at_step_two(void)
+{
+    begin(16 * MS, 60);
+    quality_governor_frame(&machine.governor, machine.now_ns, false);
+    show(140, 2, true);
+    assert_int_equal(machine.step, 2);
+}
+
+/* Shows frames until the quality changes. Returns the number of measurement intervals. */
+static uint32_t wait_for_change(uint32_t percent)
+{
+    uint32_t periods = 1;
+    while (periods < 2u * GOVERNOR_PATIENCE_MAX_S && show(percent, 1, true) == 0) {
+        periods++;
+    }
+    return periods;
+}
+
+static void test_late_frames_lower_the_quality_by_one_step_and_very_late_ones_by_two(void **state)
+{
+    (void)state;
+    begin_at_step_two();
+    assert_int_equal(show(112, 1, true), 1);
+    assert_int_equal(machine.step, 3);
+    assert_int_equal(show(149, 1, true), 1);
+    assert_int_equal(machine.step, 4);
+    assert_int_equal(show(160, 1, true), 1);
+    assert_int_equal(machine.step, 6);
+    assert_int_equal(show(160, 1, true), 1);
+    assert_int_equal(machine.step, QUALITY_STEP_MAX);
+}
+
+static void test_frames_between_the_limits_change_nothing(void **state)
+{
+    (void)state;
+    begin_at_step_two();
+    for (uint32_t percent = 104; percent <= 110; percent++) {
+        assert_int_equal(show(percent, 3600, true), 0);
+    }
+    /* The time without late frames begins again after frames that were almost late. */
+    assert_int_equal(show(100, PATIENCE - 1u, true), 0);
+    assert_int_equal(show(108, 1, true), 0);
+    assert_int_equal(show(100, PATIENCE - 1u, true), 0);
+    assert_int_equal(show(100, 1, true), 1);
+    assert_int_equal(machine.step, 1);
+    assert_int_equal(show(102, PATIENCE, true), 1); /* Frames that are hardly late count. */
+    assert_int_equal(machine.step, 0);
+}
+
+static void test_the_quality_rises_again_without_oscillation(void **state)
+{
+    (void)state;
+    begin(26 * MS, 60);
+    run(60, false);
+    const uint32_t lowest = machine.step;
+    assert_true(lowest >= 4);
+    machine.best_ns = 15 * MS;
+    machine.changes = 0;
+    assert_int_equal(run((lowest + 1u) * GOVERNOR_PATIENCE_S * 2u, true), 0);
+    assert_int_equal(machine.step, 0);
+    assert_int_equal(machine.changes, lowest); /* Each change was one step up. */
+    run(3600, true);
+    assert_int_equal(machine.changes, lowest);
+}
+
+static void test_each_failed_trial_doubles_the_delay_and_a_success_resets_it(void **state)
+{
+    (void)state;
+    begin_at_step_two();
+    uint32_t delay = PATIENCE;
+    for (uint32_t i = 0; i < 9; i++) {
+        assert_int_equal(wait_for_change(100), delay);
+        assert_int_equal(machine.step, 1);
+        assert_int_equal(show(140, 1, true), 1); /* The trial fails, and the step returns. */
+        assert_int_equal(machine.step, 2);
+        delay = delay < GOVERNOR_PATIENCE_MAX_S / GOVERNOR_PERIOD_S ? 2u * delay : delay;
+    }
+    assert_int_equal(delay, GOVERNOR_PATIENCE_MAX_S / GOVERNOR_PERIOD_S);
+    assert_int_equal(wait_for_change(100), delay);
+    assert_int_equal(show(100, 30, false), 0);
+    assert_int_equal(show(140, 1, true), 1);
+    assert_int_equal(wait_for_change(100), PATIENCE);
+    assert_int_equal(machine.step, 1);
+}
+
+static void test_a_trial_succeeds_only_after_a_minute(void **state)
+{
+    (void)state;
+    begin_at_step_two();
+    assert_int_equal(wait_for_change(100), PATIENCE);
+    assert_int_equal(show(100, 60u / GOVERNOR_PERIOD_S - 1u, false), 0);
+    assert_int_equal(show(140, 1, true), 1);
+    assert_int_equal(wait_for_change(100), 2u * PATIENCE);
+}
+
+static void test_a_failed_trial_lowers_the_quality_by_one_step_only(void **state)
+{
+    (void)state;
+    begin_at_step_two();
+    wait_for_change(100);
+    assert_int_equal(machine.step, 1);
+    show(300, 1, true);
+    assert_int_equal(machine.step, 2);
+}
+
+static void test_a_late_last_step_returns_to_the_best_step_of_half_the_frame_rate(void **state)
+{
+    (void)state;
+    begin_at_step_two();
+    show(160, 3, false);
+    assert_int_equal(machine.step, QUALITY_STEP_MAX);
+    assert_int_equal(show(160, 1, false), 1);
+    assert_int_equal(machine.step, 0); /* Every second refresh is 200 %. The best step holds it. */
+    assert_int_equal(show(200, 3600, false), 0);
+    assert_int_equal(show(240, 1, false), 1);
+    assert_int_equal(machine.step, 1);
+    assert_int_equal(show(210, 3600, true), 0);
+    /* A trial of the full frame rate begins at the last step, and returns to the same step. */
+    wait_for_change(200);
+    assert_int_equal(machine.step, QUALITY_STEP_MAX);
+    assert_int_equal(show(160, 1, false), 1);
+    assert_int_equal(machine.step, 1);
+    assert_int_equal(show(200, 3600, false), 0);
+    /* A trial that succeeds keeps the full frame rate, and the quality rises from the last step. */
+    wait_for_change(200);
+    assert_int_equal(show(100, 30, false), 0);
+    assert_int_equal(wait_for_change(100), 1);
+    assert_int_equal(machine.step, QUALITY_STEP_MAX - 1u);
+}
+
 static void test_a_low_refresh_rate_does_not_reduce_the_quality(void **state)
 {
     (void)state;
@@ -192,6 +340,13 @@ int main(void)
         cmocka_unit_test(
             test_a_machine_that_misses_each_frame_shows_every_second_at_the_best_quality),
         cmocka_unit_test(test_a_higher_quality_is_tried_between_games_with_increasing_delays),
+        cmocka_unit_test(test_late_frames_lower_the_quality_by_one_step_and_very_late_ones_by_two),
+        cmocka_unit_test(test_frames_between_the_limits_change_nothing),
+        cmocka_unit_test(test_the_quality_rises_again_without_oscillation),
+        cmocka_unit_test(test_each_failed_trial_doubles_the_delay_and_a_success_resets_it),
+        cmocka_unit_test(test_a_trial_succeeds_only_after_a_minute),
+        cmocka_unit_test(test_a_failed_trial_lowers_the_quality_by_one_step_only),
+        cmocka_unit_test(test_a_late_last_step_returns_to_the_best_step_of_half_the_frame_rate),
         cmocka_unit_test(test_a_low_refresh_rate_does_not_reduce_the_quality),
         cmocka_unit_test(test_a_delayed_frame_does_not_reduce_the_quality),
         cmocka_unit_test(test_heat_reduces_the_quality_immediately_and_cooling_restores_it),
