@@ -44,8 +44,8 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
             const float dx = x - lx * inv, dy = (y - ly * inv) * 0.82f, dz = z - lz * inv;
             const float d2 = dx * dx + dy * dy + dz * dz;
             const struct colour light = noise_hash01(i, 7, row) < 0.35f ? red : paper;
-            glow(at, light, 0.95f * expf(-d2 * 680.0f));
-            glow(at, light, 0.16f * expf(-d2 * 40.0f));
+            glow(at, light, 1.0f * expf(-d2 * 1700.0f));
+            glow(at, light, 0.13f * expf(-d2 * 40.0f));
         }
     }
 }

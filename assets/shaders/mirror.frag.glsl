@@ -20,19 +20,23 @@ void main()
     float away2 = away * away;
     float fresnel = 0.02 + 0.98 * away2 * away2 * away;
     // The lanterns are only about two metres away, so that their reflections move with the position
-    // on the water. A light source is far brighter than the maximum of a texel.
+    // on the water.
     // The lanterns are in front of the player, who may stand at the short side of the tank.
     mirror.xz = from_world(mirror.xz);
     vec3 toward = mirror + vec3(from_world(world.xz), world.y).xzy * 0.55;
     vec2 night = texture(environment, toward.xz / (length(toward) + toward.y) * 0.5 + 0.5).rb;
-    float lantern = max(night.r - 0.30, 0.0);
-    lantern *= lantern * water_tint.w;
+    // A lantern is far brighter than the maximum of a texel. Its middle is hot and nearly white, and
+    // its edge is deep orange or red.
+    float core = smoothstep(0.30, 0.85, night.r);
+    float hot = core * core;
+    float lantern = (1.2 * core + 14.0 * hot) * (0.6 + 4.0 * fresnel) * water_tint.w;
     float glint = max(dot(mirror, vec3(0.100, 0.619, -0.779)), 0.0);
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     float lit = 1.0 - shade_above(world);      // A fan also hides the lamps from the water.
-    vec2 light = night * (lantern * lit * (7.0 + 90.0 * fresnel) + sky_glow.xy * fresnel)
-        + vec2(2.6, 0.8) * (glint * lit);
-    light /= 1.0 + light; // Soft knee, so that a bright reflection keeps its colour.
+    vec2 light = vec2(1.0, 0.5 * night.y + 0.38 * hot * hot) * (lantern * lit)
+        + night * sky_glow.xy * fresnel + vec2(2.6, 1.2) * (glint * lit);
+    // Soft knee for both colours by the brighter one, so that a bright reflection keeps its colour.
+    light /= 1.0 + max(light.x, light.y);
     color = vec4(sqrt(light), 0.5 + slopes_here.ba * (0.5 / SEEN_SLOPE_MAX));
 }

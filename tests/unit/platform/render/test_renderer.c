@@ -88,6 +88,29 @@ static void test_a_street_with_lamps_by_night_and_bright_by_day_is_behind_the_ta
     assert_true(sum_of_top(pixels[1], 2) > 2u * sum_of_top(pixels[0], 2));
 }
 
+static void test_reflections_of_lanterns_are_small_and_orange_with_a_hot_middle(void **state)
+{
+    (void)state;
+    uint32_t warm = 0, hottest = 0, blue = 0, count = 0;
+    scene.phase = PHASE_WORDLESS;
+    scene.fish_count = 0;
+    scene.poi[0].present = scene.bowl[0].present = 0;
+    picture(pixels[0]);
+    for (uint32_t y = HEIGHT / 4u; y < HEIGHT * 3u / 4u; y++) {
+        for (uint32_t x = WIDTH / 4u; x < WIDTH * 3u / 4u; x++) {
+            const uint8_t *const rgb = pixels[0] + (y * WIDTH + x) * 3u;
+            count++;
+            warm += rgb[0] > rgb[2];
+            if (rgb[0] > hottest) {
+                hottest = rgb[0];
+                blue = rgb[2];
+            }
+        }
+    }
+    assert_true(warm > 0 && warm < count / 20u);
+    assert_true(hottest > 200u && 2u * blue < hottest);
+}
+
 /* Returns the sum of one colour channel over the 5 x 5 pixels in the middle of the picture. */
 static uint32_t middle(const uint8_t rgb[PIXELS_SIZE], uint32_t colour)
 {
@@ -428,6 +451,7 @@ int main(void)
         WITH_DISPLAY(test_a_fish_a_hole_and_a_wave_each_change_the_picture),
         WITH_DISPLAY(test_the_tank_is_bright_and_warm_under_a_bulb_by_night_and_even_by_day),
         WITH_DISPLAY(test_a_street_with_lamps_by_night_and_bright_by_day_is_behind_the_tank),
+        WITH_DISPLAY(test_reflections_of_lanterns_are_small_and_orange_with_a_hot_middle),
         WITH_DISPLAY(test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_below),
         WITH_DISPLAY(test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank),
         WITH_DISPLAY(test_stress_is_drawn_brighter_only_in_practice),
