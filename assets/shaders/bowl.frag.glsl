@@ -6,6 +6,7 @@ in vec3 grid;
 uniform vec4 form;
 uniform vec4 paint;
 uniform sampler2D caustics;
+uniform sampler2D environment;
 out vec4 color;
 
 #ifdef CAP
@@ -16,13 +17,21 @@ void main()
 #elif defined(WATER)
 void main()
 {
+    // The water is clear. It shows only the reflection of the lamps, the dark night or the bright
+    // day between them, and a bright ring where it rises at the wall (the meniscus).
     float r = length(grid.xy);
-    vec2 ring = grid.xy * 0.035 * sin(r * 24.0 - eye.w * 5.0);
+    vec2 ring = grid.xy * (0.05 * sin(r * 24.0 - eye.w * 5.0));
     // The normal (ring.x, 1, ring.y) has almost the length 1.
-    float shine = max(light.z + dot(ring, light.xy), 0.0);
-    shine = pow(shine, 90.0);
-    float alpha = 0.10 + 0.28 * smoothstep(0.76, 0.93, r) + light.w;
-    color = vec4(vec3(0.22, 0.66, 0.80) * alpha + shine * 0.25, alpha);
+    float shine = pow(max(light.z + dot(ring, light.xy), 0.0), 90.0);
+    vec2 toward = left.xy - 2.0 * ring;
+    vec2 night = texture(environment, toward * (0.5 / (1.0 + left.z)) + 0.5).rb;
+    float lamp = smoothstep(0.25, 0.85, night.r) * water_tint.w;
+    float wall = smoothstep(0.945, 0.985, r / form.z);
+    float alpha = 0.05 + light.w + 0.22 * wall;
+    vec3 sky = mix(vec3(0.10, 0.13, 0.20), vec3(0.85, 0.92, 0.95), evening.w * evening.w);
+    vec3 warm = vec3(1.0, 0.35 + 0.45 * lamp, 0.10 + 0.45 * lamp * lamp);
+    alpha = max(alpha, lamp * 0.85);
+    color = vec4(mix(sky, warm, lamp) * alpha + (shine * 0.3 + wall * 0.16) * grid.z, alpha);
 }
 #else
 void main()
@@ -37,17 +46,21 @@ void main()
     vec3 tint = mix(enamel, paint.rgb, painted * (1.0 - gap)) * light.x;
     float shine = pow(max(light.y, 0.0), 60.0) * 0.22 * light.w;
 #ifdef INSIDE
-    // The water in the bowl is shallow. It has a blue tint, but is clear enough for the fish in the
-    // bowl to be visible.
+    // The water in the bowl is shallow and clear. The enamel has a dark line right above the water.
     float drowned = clamp(grid.z, 0.0, 1.0);
     float caustic = texture(caustics, grid.xy).r;
-    tint *= mix(vec3(1.0), vec3(0.70, 0.94, 1.02) * (0.8625 + 0.55 * caustic), drowned);
+    tint *= mix(vec3(1.0), vec3(0.90, 0.97, 0.98) * (0.86 + 0.40 * caustic), drowned);
+    float line = abs(grid.z - 0.10) * 7.0;
+    tint *= 1.0 - 0.35 * max(1.0 - line * line, 0.0);
     color = vec4(tint + shine, 1.0);
 #else
     // The outline of the bowl is where its surface turns away from the viewer. The outline fades
     // there, which smooths it, as on the poi.
     float cover = clamp(light.z / fwidth(light.z) + 0.15, 0.0, 1.0);
-    color = vec4(mix(WATER_COLOR, tint + shine, left), 1.0) * cover;
+    // The water of the tank rises at the wall, in a bright ring.
+    float ring = max(1.0 - abs(grid.x), 0.0);
+    vec3 seen = mix(WATER_COLOR, tint + shine, left);
+    color = vec4(mix(seen, WATER_COLOR + 0.45 * light.w, 0.75 * ring), 1.0) * cover;
 #endif
 }
 #endif

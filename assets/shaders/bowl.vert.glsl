@@ -9,14 +9,18 @@ uniform vec4 form;                      // x: depth of the bowl in m. y: height,
 uniform mat3 heel;                      // Tilt of the bowl. The water in the bowl stays level.
 uniform vec4 paint;                     // Colour. w: number of white gaps in the bowl's coloured
                                         // band.
+const float RING_M = 0.0022; // Half the height of the bright ring of water around the bowl.
+
 out vec3 shell; // y: as surface.y. z: above 0.5 in a gap of the band.
 out vec4 light; // For the shell: x: brightness. y: cosine of the angle between the normal and the
                 // direction halfway to the lamps. z: cosine of the angle between the normal and the
                 // direction to the viewer. w: brightness of the lamps. For the water: xy: change of
                 // z for each unit of slope. z: as y of the shell. w: reflection of the sky.
-out vec3 left;  // Fraction of the light that passes through the water.
+out vec3 left;  // For the shell: fraction of the light that passes through the water. For the water:
+                // direction of the reflection in the player's axes, as x, z and y.
 out vec3 grid;  // For the shell: xy: coordinates in the texture of the caustics. z: above 0.5 below
-                // the water in the bowl. For the water: xy: position in mouth radii.
+                // the water in the bowl. For the outside: x: height above the tank's water in RING_M.
+                // For the water: xy: position in mouth radii. z: light of the lamps.
 
 const float CAP_M = 0.001;  // Height of the cap above the tank's water surface.
 
@@ -45,7 +49,11 @@ void main()
 #ifdef WATER
     float away = 1.0 - max(view.y, 0.0);
     light = vec4(middle.xz, middle.y, 0.4 * away * away * away);
-    grid = vec3(local.xz / mouth.w, 0.0);
+    grid = vec3(local.xz / mouth.w, lamp_light(world).g);
+    // As in mirror.frag.glsl, for a level surface.
+    vec3 toward = vec3(from_world(-view.xz), view.y).xzy
+        + vec3(from_world(world.xz), world.y).xzy * 0.55;
+    left = normalize(toward).xzy;
 #elif !defined(CAP)
     vec3 n = normalize(heel * (normal / vec3(mouth.w, form.x, mouth.w)));
     float lamps = (1.0 - 0.7 * shade_above(world)) * lamp_light(world).g;
@@ -59,6 +67,10 @@ void main()
 #else
     left = water_passes(-world.y * 1.2);
 #endif
+#ifdef INSIDE
     grid = vec3(world.xz * CAUSTIC_TILES * 1.6, (form.y + 0.02 - local.y / form.x) / 0.06);
+#else
+    grid = vec3(world.y / RING_M, 0.0, 0.0);
+#endif
 #endif
 }

@@ -9,7 +9,11 @@ out float strength;
 void main()
 {
     vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+#ifdef IN_BOWL
+    float height = 0.012; // The floor of a bowl is about this far below its fish.
+#else
     float height = max(place.y + tank.y, 0.0);
+#endif
     float soft = 0.003 + height * 0.075;
     float half_length = place.w * 0.40 + soft * 0.8;
     float half_breadth = place.w * 0.115 + soft * 0.6;
@@ -21,5 +25,9 @@ void main()
     vec2 at = place.xz + right * local.x + back * local.y - shadow.zw * height;
     lens = corner * 1.35;
     strength = min(place.w * 0.115 / half_breadth * 1.35, 0.85);
+#ifdef IN_BOWL
+    gl_Position = view_projection * vec4(at.x, place.y - height, at.y, 1.0);
+#else
     gl_Position = vec4(at * shadow.xy, 0.0, 1.0);
+#endif
 }

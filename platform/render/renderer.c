@@ -80,11 +80,12 @@ static void draw_bowl_contents(const struct renderer *renderer, const struct sce
             bowl_pass_inside(&renderer->bowl, &scene->bowl[i], caustics);
         }
     }
+    fish_pass_bowl_shadows(&renderer->fish);
     fish_pass_bodies(&renderer->fish, FISH_IN_BOWL, false, &renderer->textures, caustics);
     fish_pass_fins(&renderer->fish, FISH_IN_BOWL, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
-            bowl_pass_water(&renderer->bowl, &scene->bowl[i]);
+            bowl_pass_water(&renderer->bowl, &scene->bowl[i], renderer->textures.environment);
             bowl_pass_cap(&renderer->bowl, &scene->bowl[i]);
         }
     }

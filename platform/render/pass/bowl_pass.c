@@ -27,7 +27,7 @@ static void profile(float t, bool outside, float *r, float *y)
 {
     const float angle = t * 0.5f * F_PI;
     const float grow = outside ? WALL : 0.0f;
-    *r = f_exp(0.62f * f_log(f_max(f_sin(angle), 1e-4f))) + grow;
+    *r = f_exp(0.62f * f_log(f_max(f_sin(angle), 1e-7f))) + grow;
     *y = -(outside ? 1.0f : BOTTOM) * f_exp(0.85f * f_log(f_max(f_cos(angle), 1e-4f)));
 }
 
@@ -69,8 +69,8 @@ static struct shape_vertex disc_point(float u, float v, const void *context)
 static struct bowl_part open_part(struct gl_status *status, const char *name, const char *defines)
 {
     struct bowl_part part;
-    part.program =
-        gl_program(status, name, defines, shader_bowl_vert, shader_bowl_frag, "caustics");
+    part.program = gl_program(status, name, defines, shader_bowl_vert, shader_bowl_frag,
+                              "caustics environment");
     part.mouth = glGetUniformLocation(part.program, "mouth");
     part.form = glGetUniformLocation(part.program, "form");
     part.paint = glGetUniformLocation(part.program, "paint");
@@ -166,8 +166,10 @@ void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl)
     glDisable(GL_BLEND);
 }
 
-void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl)
+void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl,
+                     GLuint environment)
 {
+    gl_bind_texture(1, GL_TEXTURE_2D, environment);
     use(&pass->water_part, bowl);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);

@@ -23,6 +23,8 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
     pass->sunk = link_fish_program(status, "sunk fish body", "#define SUNK\n");
     pass->snout = link_fish_program(status, "snouts", "#define SNOUT\n");
     pass->fin = link_fish_program(status, "fish fin", "#define FIN\n");
+    pass->bowl_shadow_program = gl_program(status, "bowl fish shadow", "#define IN_BOWL\n",
+                                           shader_shadow_fish_vert, shader_shadow_fish_frag, "");
     pass->ring_program =
         gl_program(status, "gulp rings", "", shader_gulp_ring_vert, shader_gulp_ring_frag, "");
     glGenVertexArrays(1, &pass->rings);
@@ -41,6 +43,7 @@ void fish_pass_close(struct fish_pass *pass)
     glDeleteProgram(pass->sunk);
     glDeleteProgram(pass->snout);
     glDeleteProgram(pass->fin);
+    glDeleteProgram(pass->bowl_shadow_program);
     glDeleteProgram(pass->ring_program);
     glDeleteVertexArrays(1, &pass->rings);
     glDeleteBuffers(1, &pass->instance_buffer);
@@ -259,7 +262,8 @@ void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint 
     glDisable(GL_BLEND);
 }
 
-void fish_pass_rings(const struct fish_pass *pass)
+/* Draws one translucent quad for each of `count` fish, beginning with the fish `first`. */
+static void draw_quads(const struct fish_pass *pass, GLuint program, uint32_t first, uint32_t count)
 {
     static const struct instance_attribute attributes[] = {
         INSTANCE(0, 4, place),
@@ -267,18 +271,31 @@ void fish_pass_rings(const struct fish_pass *pass)
         INSTANCE(2, 4, up_amplitude),
         INSTANCE(3, 3, gulp),
     };
-    const uint32_t count = pass->count[FISH_GULPING_FAR] + pass->count[FISH_GULPING];
     if (count == 0) {
         return;
     }
-    glUseProgram(pass->ring_program);
+    glUseProgram(program);
     glBindVertexArray(pass->rings);
-    point_instances(pass, pass->first[FISH_GULPING_FAR], attributes, 4);
+    point_instances(pass, first, attributes, 4);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)count);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
+}
+
+void fish_pass_rings(const struct fish_pass *pass)
+{
+    draw_quads(pass, pass->ring_program, pass->first[FISH_GULPING_FAR],
+               pass->count[FISH_GULPING_FAR] + pass->count[FISH_GULPING]);
+}
+
+void fish_pass_bowl_shadows(const struct fish_pass *pass)
+{
+    glDisable(GL_DEPTH_TEST); /* A shadow lies on the curved floor of the bowl. */
+    draw_quads(pass, pass->bowl_shadow_program, pass->first[FISH_IN_BOWL],
+               pass->count[FISH_IN_BOWL]);
+    glEnable(GL_DEPTH_TEST);
 }
 
 GLsizei fish_pass_shadow_casters(const struct fish_pass *pass)

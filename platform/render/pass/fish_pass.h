@@ -42,7 +42,7 @@ struct fish_instance {
 
 struct fish_pass {
     GLuint body, sunk, snout, fin; /* Shader programs. */
-    GLuint ring_program, rings;
+    GLuint ring_program, bowl_shadow_program, rings;
     GLuint instance_buffer;
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
     struct fish_shapes shapes[SPECIES_LOD_COUNT];
@@ -77,6 +77,8 @@ void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint 
  * drawn and before the objects above the water. */
 void fish_pass_rings(const struct fish_pass *pass);
 
+/* Draws the shadows of the fish in bowls on the insides of the bowls. */
+void fish_pass_bowl_shadows(const struct fish_pass *pass);
 /* Binds the instances of the fish that cast shadows to the vertex attributes 0, 1 and 2 of the
  * bound vertex array. Fish in the tank and fish on a poi (paper scoop) cast shadows. Returns the
  * number of these instances. */

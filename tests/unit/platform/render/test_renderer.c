@@ -123,6 +123,44 @@ static uint32_t middle(const uint8_t rgb[PIXELS_SIZE], uint32_t colour)
     return sum;
 }
 
+/* Returns the number of pixels of a dark grey in the middle third of the picture. */
+static uint32_t dark_grey_pixels(const uint8_t rgb[PIXELS_SIZE])
+{
+    uint32_t count = 0;
+    for (uint32_t y = HEIGHT / 3u; y < HEIGHT * 2u / 3u; y++) {
+        for (uint32_t x = WIDTH / 3u; x < WIDTH * 2u / 3u; x++) {
+            const uint8_t *const at = rgb + (y * WIDTH + x) * 3u;
+            count += at[0] < 140u && abs(at[0] - at[2]) < 25 && abs(at[0] - at[1]) < 25;
+        }
+    }
+    return count;
+}
+
+static void test_the_water_of_a_bowl_is_clear_and_its_fish_cast_shadows(void **state)
+{
+    (void)state;
+    const struct display_settings day = { .light = 1.0f, .is_day = 1 };
+    struct scene_bowl *const bowl = &scene.bowl[0];
+    device.ops->set_transform(device.self, &day);
+    scene.phase = PHASE_WORDLESS;
+    scene.poi[0].present = 0;
+    bowl->present = 1;
+    bowl->position_m = v3(0.0f, 0.012f, 0.0f);
+    scene.view.target_m = bowl->position_m;
+    scene.view.eye_m = v3(0.0f, 0.40f, 0.10f);
+    scene.fish_count = 0;
+    picture(pixels[0]);
+    const int32_t red = (int32_t)middle(pixels[0], 0), blue = (int32_t)middle(pixels[0], 2);
+    assert_true(red > 25 * 120 && abs(red - blue) < red / 10);
+    scene.fish_count = 1;
+    scene.fish[0].place = SCENE_IN_BOWL;
+    scene.fish[0].length_m = 0.06f;
+    scene.fish[0].position_m = v3(0.0f, -0.01f, 0.0f);
+    scene.fish[0].angles = (struct angles){ 0 };
+    picture(pixels[1]);
+    assert_true(dark_grey_pixels(pixels[1]) > dark_grey_pixels(pixels[0]) + 30u);
+}
+
 /* Sets up a scene with one fish of 8 cm that is pitched up by 45 degrees and has its nose at
  * `nose_y_m`. The camera looks down at a point of the head 3 mm behind the nose. */
 static void show_gulper(float nose_y_m, uint8_t place)
@@ -452,6 +490,7 @@ int main(void)
         WITH_DISPLAY(test_the_tank_is_bright_and_warm_under_a_bulb_by_night_and_even_by_day),
         WITH_DISPLAY(test_a_street_with_lamps_by_night_and_bright_by_day_is_behind_the_tank),
         WITH_DISPLAY(test_reflections_of_lanterns_are_small_and_orange_with_a_hot_middle),
+        WITH_DISPLAY(test_the_water_of_a_bowl_is_clear_and_its_fish_cast_shadows),
         WITH_DISPLAY(test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_below),
         WITH_DISPLAY(test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank),
         WITH_DISPLAY(test_stress_is_drawn_brighter_only_in_practice),
