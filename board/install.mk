@@ -42,4 +42,10 @@ test-deb: build $(MAN)
 	@board/setup.sh dev $(if $(FOREIGN),cross)
 	@ARCH='$(FOREIGN)' BUILD='$(BUILD)' tests/fresh/deb.sh $(RELEASE)
 
-.PHONY: test-deb man install uninstall deb
+## test/test-pi-os: Run the commands of the cabinet's page in an emulated arm64 root
+test-pi-os:
+	@board/setup.sh dev cross
+	@$(MAKE) --no-print-directory ARCH=arm64 deb
+	@BUILD='$(BUILD)' tests/fresh/pi_os.sh rpi5
+
+.PHONY: test-deb test-pi-os man install uninstall deb

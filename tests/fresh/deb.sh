@@ -32,7 +32,7 @@ mkdir -p "$build/fresh" "$root"
 if [ -z "$(find "$tar" -mtime -7 2>/dev/null)" ]; then
     mapfile -t sources < <(board/debian_sources.sh "$release" test-deb)
     # mmdebstrap cannot see that the emulator works without the package arch-test.
-    mmdebstrap --quiet --variant=minbase --aptopt='APT::Install-Recommends "false"' \
+    mmdebstrap --quiet --format=tar --variant=minbase --aptopt='APT::Install-Recommends "false"' \
         --include="systemd,udev,init-system-helpers${arch:+,$libraries}" \
         ${arch:+--architectures="$arch" --skip=check/qemu} "$release" "$tar.new" "${sources[@]}" || exit 1
     mv "$tar.new" "$tar"
