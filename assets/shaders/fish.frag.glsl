@@ -37,13 +37,13 @@ void main()
     float red = mix(pattern.r, pupil, skin.w);
     float scales = mix(pattern.g, 0.70, skin.w);
     float gill = haze.w * max(1.0 - abs(skin.x - 0.252) * 45.0, 0.0);
-    vec3 tint = mix(pale, stain, red) * ((0.74 + 0.38 * scales) * (1.0 - gill));
+    vec3 tint = mix(pale, stain, red) * ((0.42 + 0.84 * scales) * (1.0 - gill));
     // The skin is darker where it turns away from the viewer.
     float facing = clamp(turned_to * 2.4, 0.0, 1.0);
     tint *= 0.42 + 0.60 * (2.0 - facing) * facing;
     // The outline of a round body is where its surface turns away from the viewer. The outline
     // fades there over about a pixel, which smooths it.
     float cover = clamp(turned_to / fwidth(turned_to) + 0.15, 0.0, 1.0);
-    color = vec4(tint + haze.rgb * (0.45 + 0.75 * scales), 1.0) * cover;
+    color = vec4(tint + haze.rgb * (0.10 + 1.25 * scales), 1.0) * cover;
 }
 #endif

@@ -55,6 +55,15 @@ const float THROAT = 0.042;      // Largest motion of the mouth forward or backw
 const float LOWER_LIP = 0.022;   // Largest motion of the mouth up or down, as in fish_mesh.c.
 
 #ifdef FIN
+const float LEAST_LIT = 0.68;    // Light passes through a fin, so that a fin that is seen on edge is
+                                 // nearly as bright as the back.
+const float LEAN = 0.020;        // Distance, in body lengths, by which the tips of the fins lean to
+                                 // the right, so that a dorsal fin is visible from above.
+#else
+const float LEAST_LIT = 0.0;
+#endif
+
+#ifdef FIN
 void colour()
 {
     float root = 1.0 - surface.y;
@@ -71,7 +80,8 @@ void colour()
     float under = 1.0 - abs(surface.y * 2.0 - 1.0); // 0 at the back, 1 at the belly.
     float belly = smoothstep(0.52, 0.96, under);
     vec3 iris = mix(vec3(0.86, 0.62, 0.20), vec3(0.78, 0.78, 0.72), character.w);
-    pale = mix(mix(pale_back, pale_belly, belly), iris, eye_part);
+    // The eyes of black and of young fish are dark, as their backs are.
+    pale = mix(mix(pale_back, pale_belly, belly), iris * pale_back, eye_part);
     stain = mix(mix(stain_back, stain_belly, belly), vec3(0.015), eye_part);
     float ridge = (1.0 - smoothstep(0.0, 0.42, under)) * smoothstep(0.0, 0.12, surface.x);
     haze.rgb = vec3(0.20 * ridge * (1.0 - eye_part)); // Scales on the back reflect light upward.
@@ -134,7 +144,7 @@ void main()
     float idle = sin(eye.w * 5.0 + right_phase.w * 0.5 + place.x * 40.0 + p.x * 12.0);
     float trail = surface.w * (0.045 * amplitude * sin(phase - 1.3) + 0.010 * idle);
     p.y += trail * 0.5;
-    x += trail;
+    x += trail + surface.w * LEAN;
 #endif
     p = vec3(x + p.x * c, p.y, z - p.x * d);
     n = vec3(n.x * c + n.z * d, n.y, n.z * c - n.x * d);
@@ -167,7 +177,7 @@ void main()
     turned_to = dot(n, view);
     float facing = max(turned_to, 0.0);
     float wet = step(0.0, world.y);
-    float diffuse = 0.49 + 0.68 * max(dot(n, LAMP_DIRECTION) * 0.65 + 0.35, 0.0);
+    float diffuse = 0.49 + 0.68 * max(dot(n, LAMP_DIRECTION) * 0.65 + 0.35, LEAST_LIT);
     float caustic = textureLod(caustics, world.xz * CAUSTIC_TILES * 1.15, 0.0).r;
     float light = diffuse * (1.0 + (caustic * 2.4 - 0.55) * max(n.y, 0.0)
         * (evening.w - evening.w * wet));
@@ -180,7 +190,7 @@ void main()
     vec3 left = water_passes(is_in_bowl ? 0.0 : depth * 1.2);
 #ifdef FIN
     float gloss = 0.0;
-    light *= 0.75 + 0.25 * smoothstep(0.0, 0.42, facing);
+    light *= 0.88 + 0.12 * smoothstep(0.0, 0.42, facing);
 #else
     vec3 middle = view + LAMP_DIRECTION;
     float shine = max(dot(n, middle) * inversesqrt(dot(middle, middle)), 0.0);
@@ -196,6 +206,7 @@ void main()
     vec3 gain = light * left;
 #ifndef FIN
     gain *= 1.0 - 0.92 * throat;
+    gloss += 1.2 * skin.w * shine * shine; // A wet eye has a narrow highlight.
 #endif
     pale *= gain;
     stain *= gain;

@@ -35,7 +35,7 @@ vec3 red_of(float hue)
 }
 
 // Colour of a young goldfish.
-const vec3 FRY = vec3(0.40, 0.42, 0.27);
+const vec3 FRY = vec3(0.45, 0.36, 0.20);
 // Returns the fraction of the young colour that a point of the skin has lost. `ahead` is above 0
 // where the loss begins earlier, as on the belly.
 float turned(float maturity, float ahead)
@@ -52,7 +52,7 @@ void goldfish_skin(float under, float maturity, float hue, out vec3 pale, out ve
     vec3 red = red_of(hue);
     vec3 white = hue > 1.0 ? BRONZE : WHITE;
     vec3 below = mix(white, red, 0.25);
-    vec3 young = mix(FRY * (0.62 + 0.38 * under), vec3(0.80, 0.80, 0.66), belly);
+    vec3 young = mix(FRY * (0.62 + 0.38 * under), vec3(0.82, 0.74, 0.56), belly);
     pale = mix(young, mix(white, below, 0.55 * belly), turned(maturity, 0.10 * belly - 0.06));
     stain = mix(young, mix(red, below, 0.55 * belly), turned(maturity, 0.10 * belly + 0.06));
 }

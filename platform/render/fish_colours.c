@@ -7,8 +7,8 @@
 #include "core/base/fmath.h"
 
 static const float silver[3] = { 1.0f, 0.955f, 0.90f };
-static const float fry[3] = { 0.40f, 0.42f, 0.27f };
-static const float fry_belly[3] = { 0.80f, 0.80f, 0.66f };
+static const float fry[3] = { 0.45f, 0.36f, 0.20f };
+static const float fry_belly[3] = { 0.82f, 0.74f, 0.56f };
 /* Brightness of a young fish at its back and of its fins, relative to `fry`. */
 #define FRY_BACK 0.72f
 #define FRY_FIN 1.25f

@@ -120,6 +120,9 @@ static void test_a_black_fish_is_dark_at_the_back_and_bronze_when_young(void **s
     fish_colours_compute(&young_red, 0.0f, 0.5f, 1.0f);
     assert_true(black.stain_back[0] < 0.1f && red.stain_back[0] > 0.9f);
     assert_float_equal(young.stain_back[0], young_red.stain_back[0], 1e-6f);
+    /* Bronze has more red than green, and more green than blue. */
+    assert_true(young.stain_back[0] > 1.15f * young.stain_back[1]);
+    assert_true(young.stain_back[1] > 1.5f * young.stain_back[2]);
 }
 
 int main(void)
