@@ -1,12 +1,15 @@
-// The air stone (instance 0) and its bubbles. The stone and each bubble are squares that face the
-// viewer. A bubble rises for half a second and drifts sideways. Every third bubble then floats on
-// the surface for a while and bursts.
+// The air stone (instance 0), its hose (the next HOSE_PARTS instances), and its bubbles. The stone
+// and each bubble are squares that face the viewer. A bubble rises for half a second and drifts
+// sideways. Every third bubble then floats on the surface for a while and bursts. The hose leads
+// from the stone over the rim of the tank.
 uniform vec3 stone;
 out vec2 corner;
-out float grey;     // 1 for the stone, 0 for a bubble.
+out float grey;     // 1 for the stone, 0 for a bubble, and 2 for the hose.
+out float high_m;   // Height of the hose above the water.
 out float whole;    // Visibility of the bubble, from 1 to 0 when it bursts.
 
-const float STONE_M = 0.009;
+const float HOSE_M = 0.0030; // Radius of the hose.
+const float STONE_M = 0.011;
 const float RISES_M_S = 0.24;
 const float FLOATS_S = 0.55;
 
@@ -15,10 +18,46 @@ float chance(float seed)
     return fract(sin(seed * 12.9898) * 43758.5453);
 }
 
+// Returns point `part` of the hose, from 0 at the stone to HOSE_PARTS on the counter.
+vec3 hose(int part)
+{
+    float wall = -tank.x;
+    if (part < 2) {
+        return part == 0 ? stone + vec3(0.0, 0.6 * STONE_M, 0.0)
+                         : vec3(wall + 0.012, stone.y * 0.55, stone.z);
+    }
+    if (part < 4) {
+        return vec3(wall + 0.005, part == 2 ? 0.0 : tank.w, stone.z);
+    }
+    // On a portrait screen the hose ends in front of the street.
+    float out_m = abs(shade_map.z) < 0.5 ? 0.045 : 0.9;
+    vec3 down = vec3(wall - 0.050, -0.008, stone.z + 0.004);
+    return part == 4 ? vec3(wall - 0.016, tank.w + 0.004, stone.z)
+        : part == 5 ? vec3(wall - 0.036, tank.w - 0.002, stone.z + 0.002)
+        : part == 6 ? down : vec3(wall - out_m, -0.008, stone.z + 0.30 * out_m);
+}
+
+void hose_quad(int part)
+{
+    vec3 from = hose(part);
+    vec3 to = hose(part + 1);
+    vec3 at = mix(from, to, corner.y * 0.5 + 0.5);
+    vec3 across = normalize(cross(to - from, eye.xyz - at));
+    grey = 2.0;
+    whole = 1.0;
+    high_m = at.y;
+    gl_Position = view_projection * vec4(at + across * (corner.x * HOSE_M), 1.0);
+}
+
 void main()
 {
     float id = float(gl_InstanceID);
     corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+    if (gl_InstanceID > 0 && gl_InstanceID <= HOSE_PARTS) {
+        hose_quad(gl_InstanceID - 1);
+        return;
+    }
+    high_m = 0.0;
     grey = gl_InstanceID == 0 ? 1.0 : 0.0;
     whole = 1.0;
     vec3 at = stone;

@@ -31,7 +31,7 @@ static void draw_life(const struct renderer *renderer, const struct scene *scene
             poi_pass_frame(&renderer->poi, &scene->poi[i]);
         }
     }
-    quad_pass_air(&renderer->quad, scene);
+    quad_pass_air(&renderer->quad, scene, false);
     for (enum fish_group group = FISH_SMALL; group <= FISH_GULPING; group++) {
         fish_pass_fins(&renderer->fish, group, caustics);
     }
@@ -108,6 +108,7 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
         }
     }
     basin_pass_deck(&renderer->basin, &renderer->deck, &renderer->frame.shaded_part);
+    quad_pass_air(&renderer->quad, scene, true);
     quad_pass_drips(&renderer->quad, scene);
     fish_pass_bodies(&renderer->fish, FISH_ON_POI, false, &renderer->textures, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {

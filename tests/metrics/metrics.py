@@ -92,7 +92,8 @@ FEATURE_LINES = {
     'demekin and ryukin: double tails in species texts, and varieties that are only drawn': 48,
     'light of a summer night, in the shaders and on each fish, and daylight by a setting': 64,
     'the street behind the stall, by night and by day, and the wet wood around the tank': 380,
-    'reflections in the water of bowls, and shadows of the fish in bowls': 24,
+    'reflections in the water of bowls, and shadows of the fish in bowls': 26,
+    'the hose of the air stone': 8,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.

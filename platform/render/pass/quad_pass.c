@@ -10,6 +10,10 @@
 /* Maximum number of bubbles. At any time about a third of the bubbles have risen and float on the
  * surface. */
 #define BUBBLE_COUNT 72
+/* Number of straight parts of the hose from the air stone over the rim to the counter. */
+#define HOSE_PARTS 7
+#define TEXT(number) #number
+#define HOSE_DEFINE(number) "#define HOSE_PARTS " TEXT(number) "\n"
 /* Maximum number of drops per poi. DROPS_LOOSE drops detach one at a time, and DROPS_STREAM drops
  * form streams of water. From a poi 4 cm above the water, half of the drops of the streams fall at
  * any time, and the others wait. DROPS_LOOSE must equal LOOSE in drip.vert.glsl. */
@@ -80,8 +84,8 @@ static void draw_fan_faces(struct gl_status *status, struct quad_pass *pass,
 void quad_pass_open(struct gl_status *status, struct quad_pass *pass,
                     const struct textures *textures)
 {
-    pass->bubble_program =
-        gl_program(status, "air stone", "", shader_bubble_vert, shader_bubble_frag, "");
+    pass->bubble_program = gl_program(status, "air stone", HOSE_DEFINE(HOSE_PARTS),
+                                      shader_bubble_vert, shader_bubble_frag, "");
     pass->stone = glGetUniformLocation(pass->bubble_program, "stone");
     pass->drip_program = gl_program(status, "drops", "", shader_drip_vert, shader_drip_frag, "");
     pass->lip = glGetUniformLocation(pass->drip_program, "lip");
@@ -121,15 +125,15 @@ static void draw_translucent(const struct quad_pass *pass, GLsizei count)
     glDisable(GL_BLEND);
 }
 
-void quad_pass_air(const struct quad_pass *pass, const struct scene *scene)
+void quad_pass_air(const struct quad_pass *pass, const struct scene *scene, bool is_above)
 {
     const struct scene_pump *const pump = &scene->pump;
     if (pump->present) {
         glUseProgram(pass->bubble_program);
         glUniform3f(pass->stone, pump->stone_m.x, pump->stone_m.y, pump->stone_m.z);
-        /* The first quad is the air stone (the outlet of the air pump). The following quads are its
-         * bubbles. */
-        draw_translucent(pass, 1 + (pump->runs ? BUBBLE_COUNT : 0));
+        /* The first quad is the air stone (the outlet of the air pump), which the depth of the
+         * water hides if `is_above` is true. */
+        draw_translucent(pass, 1 + HOSE_PARTS + (pump->runs && !is_above ? BUBBLE_COUNT : 0));
     }
 }
 

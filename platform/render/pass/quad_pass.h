@@ -20,10 +20,11 @@ void quad_pass_open(struct gl_status *status, struct quad_pass *pass,
                     const struct textures *textures);
 void quad_pass_close(struct quad_pass *pass);
 
-/* Draws the air stone on the tank's floor, and its bubbles while the air pump runs, into a render
- * target with a depth buffer. Must be called after all opaque objects have been drawn. Draws
- * nothing if the tank has no air stone. */
-void quad_pass_air(const struct quad_pass *pass, const struct scene *scene);
+/* Draws the air stone on the tank's floor, its hose, and its bubbles while the air pump runs. Draws
+ * into a render target with a depth buffer, after all opaque objects. Draws nothing if the tank has
+ * no air stone. If `is_above` is true, draws only the part of the hose that is above the water, over
+ * the rim and the counter. */
+void quad_pass_air(const struct quad_pass *pass, const struct scene *scene, bool is_above);
 
 /* Draws the drops and the streams of water that fall from each wet poi (the paper scoop) that is
  * held over the water, into a render target with a depth buffer. Must be called after the bowls and

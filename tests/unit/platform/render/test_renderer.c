@@ -430,6 +430,21 @@ static void test_a_running_pump_shows_bubbles_and_its_stone_is_always_visible(vo
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
+static void test_the_hose_of_the_air_stone_lies_over_the_rim(void **state)
+{
+    (void)state;
+    const float left_m = -0.5f * scene.tank_size_m.x - 0.20f;
+    scene.phase = PHASE_WORDLESS;
+    /* The picture shows only the counter at the left of the tank, and no water. */
+    scene.view.target_m = v3(left_m, 0.0f, scene.pump.stone_m.z);
+    scene.view.eye_m = v3(left_m, 0.4f, scene.pump.stone_m.z + 0.05f);
+    scene.pump.present = 0;
+    picture(pixels[0]);
+    scene.pump.present = 1;
+    picture(pixels[1]);
+    assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
 static void test_a_tank_can_be_drawn_without_text(void **state)
 {
     (void)state;
@@ -499,6 +514,7 @@ int main(void)
         WITH_DISPLAY(test_players_are_distinguishable_without_colours),
         WITH_DISPLAY(test_a_gulp_opens_the_mouth_and_makes_a_ripple),
         WITH_DISPLAY(test_a_running_pump_shows_bubbles_and_its_stone_is_always_visible),
+        WITH_DISPLAY(test_the_hose_of_the_air_stone_lies_over_the_rim),
         WITH_DISPLAY(test_a_tank_can_be_drawn_without_text),
         WITH_DISPLAY(test_the_pictures_below_the_water_have_only_the_part_with_the_water),
         WITH_DISPLAY(test_the_fullest_scene_draws_without_an_error),
