@@ -261,10 +261,13 @@ static void record_tears(struct core *core, const uint8_t live[POI_MAX])
 #define SPLASH_M_S 0.8f
 #define GULP_GAIN 0.35f
 
-/* Plays the sounds that fish make at the surface: gulps, and the splash of an escape. The state of
- * the fish alone determines the times, so no state is necessary. The synthesiser drops sounds that
- * follow each other too closely. */
-static void sound_fish(const struct core *core, struct output *output)
+#define ESCAPE_DROPS 18u
+#define ESCAPE_RADIUS_M 0.008f
+
+/* Plays the sounds that fish make at the surface: gulps, and the splash of an escape, whose drops
+ * the function also adds. The state of the fish alone determines the times, so no state is
+ * necessary. The synthesiser drops sounds that follow each other too closely. */
+static void sound_fish(struct core *core, struct output *output)
 {
     const struct tank *tank = &core->world.tank;
     for (uint32_t i = 0; i < tank->fish_count; i++) {
@@ -277,6 +280,25 @@ static void sound_fish(const struct core *core, struct output *output)
                    fish->position_m.y > -SPLASH_DEPTH * fish->height_m) {
             const float strength = v3_length(fish->velocity_m_s) / SPLASH_M_S;
             output_sound(output, SOUND_ESCAPE, f_clamp(strength, 0.15f, 1.0f), pan);
+            surface_splash(&core->world.splashes, v3_flat(fish->position_m), fish->velocity_m_s,
+                           ESCAPE_RADIUS_M, ESCAPE_DROPS, core->game.tick);
+        }
+    }
+}
+
+#define FALL_DROPS 22u
+#define FALL_RADIUS_M 0.010f
+
+/* Adds the splashes of the pois, and of the fish that fell from them. */
+static void add_splashes(struct core *core, const uint8_t live[POI_MAX],
+                         const struct catch_result caught[POI_MAX])
+{
+    struct splashes *const splashes = &core->world.splashes;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (live[i]) {
+            surface_splash_poi(splashes, &core->world.poi[i], core->game.tick);
+            surface_splash(splashes, caught[i].fell_m, caught[i].fell_m_s, FALL_RADIUS_M,
+                           FALL_DROPS, core->game.tick);
         }
     }
 }
@@ -331,6 +353,7 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
     record_tears(core, live);
     write_poi_forces(core, live, output);
     tick_catch(core, live, caught, output);
+    add_splashes(core, live, caught);
     watch_near_misses(core, live, caught, output);
     game_score(core->game.player, &core->game.album, &core->game, &core->world, caught, output);
     core->game.tick++;

@@ -338,6 +338,7 @@ void core_scene(const struct core *core, struct scene *scene)
         .runs = tank->oxygen.pump,
         .stone_m = tank_stone_m(tank->size_m),
     };
+    surface_splash_show(&core->world.splashes, core->game.tick, scene);
     water_slopes(&tank->water, tank->size_m, scene->slope);
     show_game(core, scene);
 }

@@ -136,6 +136,20 @@ struct scene_bowl {
     uint32_t fish_count;
 };
 
+/* Largest number of splashes in a scene. Each of them lasts at most SCENE_SPLASH_S. */
+#define SCENE_SPLASH_MAX 16u
+#define SCENE_SPLASH_S 1.2f
+
+/* A splash that throws drops of water. */
+struct scene_splash {
+    vec3 position_m; /* Centre of the splash, on the surface of the water. */
+    vec3 push_m_s;   /* Velocity of the body that caused the splash. */
+    float radius_m;  /* Radius of the circle from which the drops fly. */
+    float age_s;     /* Seconds since the splash. */
+    uint32_t seed;   /* Random bits that choose the paths of the drops. */
+    uint8_t drops;   /* Number of drops. */
+};
+
 /* Air stone of a tank that has a pump. */
 struct scene_pump {
     uint8_t present;
@@ -315,6 +329,8 @@ struct scene {
     struct scene_bowl bowl[POI_MAX];
     struct scene_fan fan[SHADE_MAX];
     struct scene_pump pump;
+    struct scene_splash splash[SCENE_SPLASH_MAX]; /* Sorted from the newest to the oldest. */
+    uint32_t splash_count;
     /* Slope of the water surface along x and z, times 508; +-127 is a slope of +-0.25. */
     int8_t slope[RIPPLE_Z][RIPPLE_X][2];
 

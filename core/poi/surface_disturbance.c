@@ -2,9 +2,8 @@
  *
  * A ring that cuts through the surface presses the surface down at two points of its edge. If the
  * ring is faster than the ripples (0.23 m/s), a V-shaped wake forms at each point. */
-#include "core/poi/poi.h"
-
 #include "core/base/panic.h"
+#include "core/poi/world.h"
 
 /* Ratio of the vertical motion of the water surface above an immersed disc to the vertical motion
  * of the disc. */
@@ -83,5 +82,54 @@ void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 t
         const float off_m = poi_outer_radius_m(poi) * f_min(1.0f, slope / LEVEL_SLOPE);
         water_press(water, tank_size_m, v3_muladd(poi->position_m, rise, -off_m), DROP_RADIUS_M,
                     DROP_M * (float)poi->drops);
+    }
+}
+
+/* ---- Splashes -------------------------------------------------------------------------------- */
+
+/* Largest number of drops of a poi that enters the water, and that leaves the water. */
+#define ENTRY_DROPS 28u
+#define EXIT_DROPS 12u
+
+void surface_splash(struct splashes *splashes, vec3 at_m, vec3 push_m_s, float radius_m,
+                    uint8_t drops_max, uint32_t tick)
+{
+    CORE_ASSERT(splashes->next < SCENE_SPLASH_MAX && radius_m >= 0.0f);
+    const float strong =
+        (v3_length(push_m_s) - SPLASH_FROM_M_S) / (SPLASH_FULL_M_S - SPLASH_FROM_M_S);
+    const float drops = (float)drops_max * f_clamp(strong, 0.0f, 1.0f);
+    if (drops < 1.0f) {
+        return;
+    }
+    splashes->latest[splashes->next] = (struct scene_splash){
+        .position_m = at_m,
+        .push_m_s = push_m_s,
+        .radius_m = radius_m,
+        .seed = tick * 0x9e3779b9u + splashes->next,
+        .drops = (uint8_t)drops,
+    };
+    splashes->ticks[splashes->next] = tick + 1u;
+    splashes->next = (splashes->next + 1u) % SCENE_SPLASH_MAX;
+}
+
+void surface_splash_poi(struct splashes *splashes, const struct poi *poi, uint32_t tick)
+{
+    if (poi->splash_m_s != 0.0f) {
+        const vec3 at_m = v3(poi->position_m.x, 0.0f, poi->position_m.z);
+        surface_splash(splashes, at_m, poi->velocity_m_s, poi_outer_radius_m(poi),
+                       poi->splash_m_s > 0.0f ? ENTRY_DROPS : EXIT_DROPS, tick);
+    }
+}
+
+void surface_splash_show(const struct splashes *splashes, uint32_t tick, struct scene *scene)
+{
+    scene->splash_count = 0;
+    for (uint32_t i = 1; i <= SCENE_SPLASH_MAX; i++) {
+        const uint32_t at = (splashes->next + SCENE_SPLASH_MAX - i) % SCENE_SPLASH_MAX;
+        const float age_s = (float)(tick + 1u - splashes->ticks[at]) * CORE_TICK_S;
+        if (splashes->ticks[at] != 0 && age_s <= SCENE_SPLASH_S) {
+            scene->splash[scene->splash_count] = splashes->latest[at];
+            scene->splash[scene->splash_count++].age_s = age_s;
+        }
     }
 }

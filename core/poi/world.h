@@ -12,10 +12,32 @@
 #include "core/poi/tear_clip.h"
 #include "core/tank/tank.h"
 
+/* The latest splashes, as a ring buffer, for display only. No hash contains them. The age of an
+ * entry is computed from `ticks`, the tick of its splash plus 1. The value 0 means no splash. */
+struct splashes {
+    struct scene_splash latest[SCENE_SPLASH_MAX];
+    uint32_t ticks[SCENE_SPLASH_MAX];
+    uint32_t next; /* Index of the oldest entry, which the next splash replaces. */
+};
+
 struct world {
     struct tank tank;
     struct poi poi[POI_MAX];
     struct bowl bowl[POI_MAX];
     struct tear_clip tear_clip[POI_MAX]; /* Recording of each poi in the present round. */
     struct near_miss near_miss[POI_MAX]; /* Near misses of each poi in the present round. */
+    struct splashes splashes;
 };
+
+/* Adds a splash at the height of the water at `at_m` to `splashes`. The number of drops increases
+ * with the speed of `push_m_s`, from none at SPLASH_FROM_M_S to `drops_max` at SPLASH_FULL_M_S. */
+void surface_splash(struct splashes *splashes, vec3 at_m, vec3 push_m_s, float radius_m,
+                    uint8_t drops_max, uint32_t tick);
+/* Adds the splash of a poi whose ring enters or leaves the water in this tick. */
+void surface_splash_poi(struct splashes *splashes, const struct poi *poi, uint32_t tick);
+/* Writes the splashes of the last SCENE_SPLASH_S before `tick` to `scene`. */
+void surface_splash_show(const struct splashes *splashes, uint32_t tick, struct scene *scene);
+
+/* Speeds of a body, in m/s, at which its splash begins to throw drops and throws most of them. */
+#define SPLASH_FROM_M_S 0.08f
+#define SPLASH_FULL_M_S 0.7f

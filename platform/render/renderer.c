@@ -120,6 +120,7 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
         }
     }
     fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
+    quad_pass_spray(&renderer->quad, scene);
     poi_pass_cap(&renderer->poi, scene);
     hand_pass_draw(&renderer->hand, scene, HAND_OUTLINE);
     glDisable(GL_DEPTH_TEST);

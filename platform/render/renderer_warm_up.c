@@ -62,6 +62,8 @@ static void fill_scene(struct scene *scene, float height_m)
         .wall_height_m = 1.1f * size_m.y,
         .phase = PHASE_WORDLESS
     };
+    scene->splash_count = 1;
+    scene->splash[0] = (struct scene_splash){ .age_s = 0.1f, .drops = 4 };
     /* The first fan shades the rim of the tank. The second fan is over the water. */
     for (uint32_t i = 0; i < 2; i++) {
         scene->fan[i] = (struct scene_fan){

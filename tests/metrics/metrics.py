@@ -89,6 +89,7 @@ FEATURE_LINES = {
     'black goldfish, and kinds of fish by their frequency': 8,
     'volumes of music and effects, quiet hours, and the light in the menu': 61,
     'a hand with a sleeve that holds each poi': 404,
+    'drops of splashes, and their rings on the water': 191,
     'demekin and ryukin: double tails in species texts, and varieties that are only drawn': 48,
     'light of a summer night, in the shaders and on each fish, and daylight by a setting': 64,
     'the street behind the stall, by night and by day, and the wet wood around the tank': 380,

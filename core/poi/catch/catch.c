@@ -162,7 +162,15 @@ static bool advance_fall(const struct scoop *scoop, struct carried_fish *carried
     const float blow = f_clamp(0.35f + 0.5f * f_abs(carried->fall_m_s.y), 0.0f, 1.0f);
     struct carried_fish lying;
     uint32_t bowl;
-    switch (catch_fall_tick(carried, scoop->stall, &bowl)) {
+    const enum fall_end end = catch_fall_tick(carried, scoop->stall, &bowl);
+    if (end == FALL_INTO_BOWL || end == FALL_INTO_WATER) {
+        struct catch_result *const result = &scoop->results[scoop->poi_index];
+        const struct bowl *const into = end == FALL_INTO_BOWL ? &scoop->stall->bowls[bowl] : NULL;
+        result->fell_m = v3_flat(scoop->tank->fish[carried->fish].position_m);
+        result->fell_m.y = into ? into->position_m.y - bowl_level_m(into) : 0.0f;
+        result->fell_m_s = carried->fall_m_s;
+    }
+    switch (end) {
     case FALL_INTO_BOWL:
         catch_count(carried, scoop->poi_index, bowl, scoop->results);
         output_sound(scoop->output, SOUND_CATCH, f_max(blow, 0.6f),

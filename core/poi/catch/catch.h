@@ -26,6 +26,9 @@ struct catch_result {
     /* Fish that fell from this player's poi into the water after the whole ring had been above the
      * water with the fish on it. */
     uint32_t slipped;
+    /* Place at which a fish fell from this player's poi into the water or into a bowl in this tick,
+     * and the velocity of the fish. The velocity is 0 if no fish fell. For display only. */
+    vec3 fell_m, fell_m_s;
 };
 
 /* Returns true if fish number `fish` lies on the poi or is falling from the poi. */

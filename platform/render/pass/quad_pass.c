@@ -63,6 +63,17 @@
 #define FAN_FACE_WIDTH 320u
 #define FAN_FACE_HEIGHT 488u
 
+/* Time in seconds in which a ring on the water fades, and its radius in m when it begins and after
+ * one second of growth at the initial rate. */
+#define SPRAY_RING_S 0.5f
+#define SPRAY_RING_M 0.003f
+#define SPRAY_RING_M_S 0.05f
+/* Longest time in seconds from a splash until its last drop leaves the water. */
+#define SPRAY_LATE_S 0.05f
+#define SPRAY_GRAVITY_M_S2 9.81f
+/* Distance in m from a splash in a bowl within which drops make rings. */
+#define SPRAY_BOWL_M 0.05f
+
 /* Draws the pictures of a fan (fan_face.frag.glsl), which do not change afterwards. */
 static void draw_fan_faces(struct gl_status *status, struct quad_pass *pass,
                            const struct textures *textures)
@@ -92,6 +103,7 @@ void quad_pass_open(struct gl_status *status, struct quad_pass *pass,
     pass->hub = glGetUniformLocation(pass->drip_program, "hub");
     pass->low = glGetUniformLocation(pass->drip_program, "low");
     pass->across = glGetUniformLocation(pass->drip_program, "across");
+    pass->spray_program = gl_program(status, "spray", "", shader_spray_vert, shader_spray_frag, "");
     pass->fan_program = gl_program(status, "fan", "", shader_fan_vert, shader_fan_frag, "faces");
     pass->fan_pose = glGetUniformLocation(pass->fan_program, "pose");
     pass->fan_trim = glGetUniformLocation(pass->fan_program, "trim");
@@ -100,6 +112,15 @@ void quad_pass_open(struct gl_status *status, struct quad_pass *pass,
     pass->copy_program =
         gl_program(status, "copy", "", shader_fill_vert, shader_copy_frag, "picture");
     glGenVertexArrays(1, &pass->no_attributes);
+    glGenVertexArrays(1, &pass->spray_array);
+    glBindVertexArray(pass->spray_array);
+    pass->spray_buffer =
+        gl_buffer(GL_ARRAY_BUFFER, NULL, QUAD_SPRAY_MAX * sizeof(struct quad_drop));
+    gl_attribute_floats(0, 4, sizeof(struct quad_drop), offsetof(struct quad_drop, place));
+    gl_attribute_floats(1, 2, sizeof(struct quad_drop), offsetof(struct quad_drop, stretch));
+    glVertexAttribDivisor(0, 1);
+    glVertexAttribDivisor(1, 1);
+    glBindVertexArray(0);
     draw_fan_faces(status, pass, textures);
 }
 
@@ -107,17 +128,20 @@ void quad_pass_close(struct quad_pass *pass)
 {
     glDeleteProgram(pass->bubble_program);
     glDeleteProgram(pass->drip_program);
+    glDeleteProgram(pass->spray_program);
     glDeleteProgram(pass->fan_program);
     glDeleteProgram(pass->dark_program);
     glDeleteProgram(pass->copy_program);
     gl_target_close(&pass->fan_faces);
     glDeleteVertexArrays(1, &pass->no_attributes);
+    glDeleteVertexArrays(1, &pass->spray_array);
+    glDeleteBuffers(1, &pass->spray_buffer);
 }
 
 /* Draws `count` quads with blending. The quads do not write depth. */
-static void draw_translucent(const struct quad_pass *pass, GLsizei count)
+static void draw_translucent(GLuint vertex_array, GLsizei count)
 {
-    glBindVertexArray(pass->no_attributes);
+    glBindVertexArray(vertex_array);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
@@ -133,7 +157,8 @@ void quad_pass_air(const struct quad_pass *pass, const struct scene *scene, bool
         glUniform3f(pass->stone, pump->stone_m.x, pump->stone_m.y, pump->stone_m.z);
         /* The first quad is the air stone (the outlet of the air pump), which the depth of the
          * water hides if `is_above` is true. */
-        draw_translucent(pass, 1 + HOSE_PARTS + (pump->runs && !is_above ? BUBBLE_COUNT : 0));
+        draw_translucent(pass->no_attributes,
+                         1 + HOSE_PARTS + (pump->runs && !is_above ? BUBBLE_COUNT : 0));
     }
 }
 
@@ -163,8 +188,77 @@ void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene)
                         f_lerp(F_PI, STREAMS_STEEP_RAD, steep));
             glUniform4f(pass->low, low.x, low.y, low.z, runs * (float)DROPS_STREAM);
             glUniform4f(pass->across, across.x, across.y, across.z, 0.0f);
-            draw_translucent(pass, DROPS_LOOSE + DROPS_STREAM);
+            draw_translucent(pass->no_attributes, DROPS_LOOSE + DROPS_STREAM);
         }
+    }
+}
+
+/* Returns a random number in [0, 1) and advances `state`. */
+static float next_chance(uint32_t *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (float)(*state >> 8) * (1.0f / 16777216.0f);
+}
+
+/* Computes drop `index` of a splash. Returns false if the drop has not left the water or if its
+ * ring has faded. */
+static bool fly(const struct scene *scene, const struct scene_splash *splash, uint32_t index,
+                struct quad_drop *out)
+{
+    uint32_t state = splash->seed ^ ((index + 1u) * 0x9e3779b1u);
+    const float turn = next_chance(&state) * F_TAU;
+    const vec3 side = v3(f_cos(turn), 0.0f, f_sin(turn));
+    const float speed = f_min(v3_length(splash->push_m_s), 1.2f);
+    const float up_m_s = (0.55f + 0.70f * speed) * (0.40f + 0.80f * next_chance(&state));
+    const vec3 way_m_s = v3_muladd(v3_scale(v3_flat(splash->push_m_s), 0.25f), side,
+                                   (0.10f + 0.35f * speed) * (0.3f + next_chance(&state)));
+    const float size_m = 0.0012f + 0.0024f * next_chance(&state) * next_chance(&state);
+    const float time_s = splash->age_s - SPRAY_LATE_S * next_chance(&state);
+    const float lands_s = 2.0f * up_m_s / SPRAY_GRAVITY_M_S2;
+    const float flight_s = f_min(time_s, lands_s);
+    const float ring_s = f_max(time_s - lands_s, 0.0f);
+    vec3 at = v3_muladd(v3_muladd(splash->position_m, side, splash->radius_m), way_m_s, flight_s);
+    if (time_s < 0.0f || ring_s > SPRAY_RING_S) {
+        return false;
+    }
+    if (time_s < lands_s) {
+        const float rise_m_s = up_m_s - SPRAY_GRAVITY_M_S2 * time_s;
+        at.y += 0.5f * (up_m_s + rise_m_s) * time_s;
+        *out = (struct quad_drop){ { at.x, at.y, at.z, size_m }, 1.0f + f_abs(rise_m_s), 1.0f };
+        return true;
+    }
+    const bool is_in_tank = splash->position_m.y == 0.0f;
+    const vec3 away = v3_sub(at, splash->position_m);
+    *out =
+        (struct quad_drop){ { at.x, at.y + 0.0006f, at.z, SPRAY_RING_M + SPRAY_RING_M_S * ring_s },
+                            0.0f,
+                            1.0f - ring_s / SPRAY_RING_S };
+    return is_in_tank ? f_abs(at.x) < 0.5f * scene->tank_size_m.x &&
+                            f_abs(at.z) < 0.5f * scene->tank_size_m.z
+                      : v3_length(away) < SPRAY_BOWL_M;
+}
+
+uint32_t quad_spray_of(const struct scene *scene, struct quad_drop out[QUAD_SPRAY_MAX])
+{
+    uint32_t count = 0, pool = 0;
+    CORE_ASSERT(scene->splash_count <= SCENE_SPLASH_MAX);
+    for (uint32_t i = 0; i < scene->splash_count; i++) {
+        for (uint32_t k = 0; k < scene->splash[i].drops && pool < QUAD_SPRAY_MAX; k++, pool++) {
+            count += fly(scene, &scene->splash[i], k, &out[count]);
+        }
+    }
+    return count;
+}
+
+void quad_pass_spray(const struct quad_pass *pass, const struct scene *scene)
+{
+    struct quad_drop drops[QUAD_SPRAY_MAX];
+    const uint32_t count = quad_spray_of(scene, drops);
+    if (count > 0) {
+        glBindBuffer(GL_ARRAY_BUFFER, pass->spray_buffer);
+        gl_buffer_refill(GL_ARRAY_BUFFER, drops, count * sizeof *drops);
+        glUseProgram(pass->spray_program);
+        draw_translucent(pass->spray_array, (GLsizei)count);
     }
 }
 

@@ -6,9 +6,20 @@
 #include "core/scene.h"
 #include "platform/render/textures.h"
 
+/* Number of drops of all splashes in a picture. Drops of the oldest splashes are left out. */
+#define QUAD_SPRAY_MAX 96u
+
+/* A drop in the air, or the ring that it makes on the water. */
+struct quad_drop {
+    float place[4]; /* Position in the world, and radius in m. */
+    float stretch;  /* Length of a drop in its widths, at least 1. 0 means a ring. */
+    float opacity;
+};
+
 struct quad_pass {
-    GLuint no_attributes; /* Vertex array without attributes. */
-    GLuint bubble_program, drip_program, fan_program, dark_program, copy_program;
+    GLuint no_attributes;             /* Vertex array without attributes. */
+    GLuint spray_array, spray_buffer; /* Vertex array and buffer with the drops of the picture. */
+    GLuint bubble_program, drip_program, spray_program, fan_program, dark_program, copy_program;
     struct gl_target fan_faces; /* Pictures of fan_face.frag.glsl. */
     /* Locations of the shader uniforms. fan_pose and fan_trim belong to the uniforms `pose` and
      * `trim` of the program for fans. */
@@ -30,6 +41,12 @@ void quad_pass_air(const struct quad_pass *pass, const struct scene *scene, bool
  * held over the water, into a render target with a depth buffer. Must be called after the bowls and
  * before the pois are drawn. */
 void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene);
+
+/* Computes the drops of all splashes of the scene and their rings. Returns their number. */
+uint32_t quad_spray_of(const struct scene *scene, struct quad_drop out[QUAD_SPRAY_MAX]);
+/* Draws the drops of quad_spray_of() into a render target with a depth buffer, with one draw call.
+ * Must be called after the pois are drawn. */
+void quad_pass_spray(const struct quad_pass *pass, const struct scene *scene);
 
 /* Draws the hand-held fans over all other objects of the scene, with blending. The render target
  * needs no depth buffer. The shade map (light_pass.h) contains the fans' shadows. */

@@ -1,0 +1,171 @@
+/* test_spray.c -- Tests the causes of splashes in the core, and the paths of the drops that the
+ * renderer draws. */
+#include <string.h>
+
+#include "platform/render/pass/quad_pass.h"
+#include "tests/unit/support/core_fixture.h"
+
+static struct scene shown;
+static struct splashes splashes;
+static struct quad_drop drops[QUAD_SPRAY_MAX];
+
+static int open_round(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 3, .fish_count = 300, .round_s = 60, .players = 2 };
+    open_core(&config);
+    return 0;
+}
+
+static void test_each_fish_that_falls_and_each_escape_splashes(void **state)
+{
+    (void)state;
+    uint32_t falls = 0, escapes = 0;
+    input.poi[0].link = input.poi[1].link = POI_SOURCE_BOT;
+    press(INPUT_START);
+    for (uint32_t i = 0; i < 30u * CORE_TICK_HZ; i++) {
+        const uint32_t before = core.world.splashes.next;
+        tick();
+        bool fell = false, fled = false;
+        for (uint32_t k = 0; k < output.sound_count; k++) {
+            fell |= output.sounds[k].sound == SOUND_CATCH || output.sounds[k].sound == SOUND_PLOP;
+            fled |= output.sounds[k].sound == SOUND_ESCAPE;
+        }
+        falls += fell;
+        escapes += fled;
+        if (fell) {
+            assert_int_not_equal(core.world.splashes.next, before);
+        }
+    }
+    assert_true(falls > 3 && escapes > 3);
+}
+
+static void test_a_fast_poi_throws_more_drops_than_a_slow_one(void **state)
+{
+    (void)state;
+    static const float speeds_m_s[] = { 0.03f, 0.2f, 0.45f, 1.5f };
+    uint8_t last = 0;
+    memset(&splashes, 0, sizeof splashes);
+    for (uint32_t i = 0; i < 4u; i++) {
+        const struct poi poi = { .splash_m_s = speeds_m_s[i],
+                                 .velocity_m_s = v3(0.0f, -speeds_m_s[i], 0.0f),
+                                 .position_m = v3(0.1f, 0.003f, 0.0f) };
+        surface_splash_poi(&splashes, &poi, 100u + i);
+        surface_splash_show(&splashes, 101u + i, &shown);
+        assert_int_equal(shown.splash_count, i);
+        if (i > 0) {
+            assert_true(shown.splash[0].drops > last);
+            assert_float_equal(shown.splash[0].position_m.y, 0.0f, 0.0f);
+            last = shown.splash[0].drops;
+        }
+    }
+    /* A poi that moves in the water or in the air does not splash. */
+    const struct poi inside = { .velocity_m_s = v3(1.0f, 0.0f, 0.0f) };
+    surface_splash_poi(&splashes, &inside, 105u);
+    surface_splash_show(&splashes, 105u, &shown);
+    assert_int_equal(shown.splash_count, 3);
+}
+
+static void test_a_splash_ends_and_the_newest_splashes_are_kept(void **state)
+{
+    (void)state;
+    const uint32_t last_tick = 100u + 2u * SCENE_SPLASH_MAX;
+    memset(&splashes, 0, sizeof splashes);
+    for (uint32_t tick = 100; tick <= last_tick; tick++) {
+        surface_splash(&splashes, v3(0.0f, 0.0f, 0.0f), v3(0.0f, -1.0f, 0.0f), 0.01f, 20, tick);
+    }
+    surface_splash_show(&splashes, last_tick, &shown);
+    assert_int_equal(shown.splash_count, SCENE_SPLASH_MAX);
+    for (uint32_t i = 0; i < SCENE_SPLASH_MAX; i++) {
+        assert_float_equal(shown.splash[i].age_s, (float)i * CORE_TICK_S, 1e-6f);
+    }
+    surface_splash_show(&splashes, last_tick + 2u * CORE_TICK_HZ, &shown);
+    assert_int_equal(shown.splash_count, 0);
+}
+
+/* Puts one splash of 40 drops at the middle of the tank into the scene. */
+static void splash_at(float age_s, float height_m)
+{
+    memset(&shown, 0, sizeof shown);
+    shown.tank_size_m = v3(0.9f, 0.2f, 0.6f);
+    shown.splash_count = 1;
+    shown.splash[0] = (struct scene_splash){ .position_m = v3(0.0f, height_m, 0.0f),
+                                             .push_m_s = v3(0.3f, -0.8f, 0.0f),
+                                             .radius_m = 0.04f,
+                                             .age_s = age_s,
+                                             .seed = 7,
+                                             .drops = 40 };
+}
+
+static void test_drops_rise_fall_and_make_rings(void **state)
+{
+    (void)state;
+    float top_m = 0.0f;
+    bool was_ring = false;
+    for (uint32_t i = 0; i <= 120u; i++) {
+        splash_at((float)i / 100.0f, 0.0f);
+        const uint32_t count = quad_spray_of(&shown, drops);
+        assert_true(count <= 40u);
+        for (uint32_t k = 0; k < count; k++) {
+            const struct quad_drop *const drop = &drops[k];
+            const bool is_ring = drop->stretch == 0.0f;
+            top_m = f_max(top_m, drop->place[1]);
+            was_ring |= is_ring;
+            assert_true(drop->place[1] >= 0.0f && (!is_ring || drop->place[1] < 0.001f));
+            assert_true(drop->opacity >= 0.0f && drop->opacity <= 1.0f);
+        }
+    }
+    /* The last frame is SCENE_SPLASH_S after the splash: every ring has faded. */
+    assert_int_equal(quad_spray_of(&shown, drops), 0);
+    assert_true(was_ring && top_m > 0.03f && top_m < 0.2f);
+}
+
+static void test_equal_scenes_have_equal_drops_and_never_more_than_the_pool(void **state)
+{
+    (void)state;
+    static struct quad_drop again[QUAD_SPRAY_MAX];
+    splash_at(0.2f, 0.0f);
+    for (uint32_t i = 1; i < SCENE_SPLASH_MAX; i++) {
+        shown.splash[i] = shown.splash[0];
+        shown.splash[i].seed += i;
+    }
+    shown.splash_count = SCENE_SPLASH_MAX;
+    const uint32_t count = quad_spray_of(&shown, drops);
+    assert_int_equal(count, QUAD_SPRAY_MAX);
+    assert_int_equal(quad_spray_of(&shown, again), count);
+    assert_memory_equal(drops, again, sizeof drops);
+}
+
+static void test_rings_lie_on_the_water_of_tank_or_bowl(void **state)
+{
+    (void)state;
+    uint32_t rings = 0;
+    splash_at(0.45f, 0.0f);
+    shown.splash[0].position_m.x = 0.5f * shown.tank_size_m.x;
+    const uint32_t count = quad_spray_of(&shown, drops);
+    for (uint32_t i = 0; i < count; i++) {
+        rings += drops[i].stretch == 0.0f;
+        assert_true(drops[i].stretch > 0.0f ||
+                    f_abs(drops[i].place[0]) <= 0.5f * shown.tank_size_m.x);
+    }
+    assert_true(rings > 0);
+    splash_at(0.45f, 0.012f); /* In a bowl, whose water is higher than that of the tank. */
+    const uint32_t in_bowl = quad_spray_of(&shown, drops);
+    for (uint32_t i = 0; i < in_bowl; i++) {
+        assert_true(drops[i].stretch > 0.0f ||
+                    (drops[i].place[1] > 0.012f && f_abs(drops[i].place[0]) < 0.05f));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(test_each_fish_that_falls_and_each_escape_splashes, open_round),
+        cmocka_unit_test(test_a_fast_poi_throws_more_drops_than_a_slow_one),
+        cmocka_unit_test(test_a_splash_ends_and_the_newest_splashes_are_kept),
+        cmocka_unit_test(test_drops_rise_fall_and_make_rings),
+        cmocka_unit_test(test_equal_scenes_have_equal_drops_and_never_more_than_the_pool),
+        cmocka_unit_test(test_rings_lie_on_the_water_of_tank_or_bowl),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
