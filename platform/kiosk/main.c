@@ -116,6 +116,9 @@ static void panic_handler(void *self, const char *reason)
 
 static enum exit_code run_without_screen(struct run_common *session, const char *why)
 {
+    if (session->options.selftest_s > 0) {
+        return log_fail(EXIT_NOT_SO, LOG_LEVEL_ERROR, "the self-test needs a screen: %s", why);
+    }
     print_line(stdout, "No screen: %s. %s", why,
                session->options.replay[0] ? "The replay is checked, and pictures of it are written."
                                           : "The bot plays, and pictures are written.");

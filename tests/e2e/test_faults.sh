@@ -30,6 +30,7 @@ refuses 74 /nowhere/x.kgr 'a missing replay' kingyo --replay /nowhere/x.kgr
 refuses 74 /proc/x.kgr 'a recording that cannot be written' kingyo --demo 5 --record /proc/x.kgr --shots "$work"
 refuses 74 /proc/x 'a picture folder that cannot be created' kingyo --demo 5 --shots /proc/x
 refuses 74 /nowhere/x.conf 'a missing configuration' kingyo --config /nowhere/x.conf
+SDL_VIDEODRIVER=dummy refuses 1 'the self-test needs a screen' 'a self-test without a screen' kingyo --selftest-board 5
 refuses 2 tickle 'an unknown command of kingyoctl' kingyoctl tickle
 refuses 74 /nowhere/x.kgr 'replay verify of a missing file' kingyoctl replay verify /nowhere/x.kgr
 refuses 74 folder 'replay verify of a folder' kingyoctl replay verify "$work"

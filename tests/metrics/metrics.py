@@ -84,7 +84,7 @@ FEATURE_LINES = {
     'quiet sounds of water and fish that give way, and plain skins of goldfish': 18,
     'credits that wait until the log is on disk, renames that replace no file, a backup that is aborted, a complete read of the settings': 90,
     'the update by USB stick: its page in the menu, and the link to the service': 383,
-    'the self-test of a board with its report, and a supply voltage that no driver measures in doctor': 153,
+    'the self-test of a board with its report, and a supply voltage that no driver measures in doctor': 156,
     'a replay as a video with sound, by ffmpeg or as pictures and a WAV file': 394,
     'black goldfish, and kinds of fish by their frequency': 8,
     'volumes of music and effects, quiet hours, and the light in the menu': 61,

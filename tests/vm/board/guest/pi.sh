@@ -41,7 +41,7 @@ shows_attract() { [ "$(phase)" = attract ]; }
 property() { systemctl show -P "$2" "$1"; }
 
 say "booted $(tr -d '\0' </proc/device-tree/model), $(uname -r), $(up) s after power on"
-card=$(findmnt -no SOURCE /)
+card=$(readlink -f "$(findmnt -no SOURCE /)") # A name in /dev/kingyo is a link.
 [ "$card" = /dev/mmcblk0p6 ] && [ "$(findmnt -no FSTYPE /)" = squashfs ]
 found $? sd "root $card on $(cat /sys/block/mmcblk0/device/name 2>/dev/null), $(($(cat /sys/block/mmcblk0/size) / 2048)) MiB"
 refuses_writes
