@@ -33,8 +33,8 @@ void quad_pass_close(struct quad_pass *pass);
 
 /* Draws the air stone on the tank's floor, its hose, and its bubbles while the air pump runs. Draws
  * into a render target with a depth buffer, after all opaque objects. Draws nothing if the tank has
- * no air stone. If `is_above` is true, draws only the part of the hose that is above the water, over
- * the rim and the counter. */
+ * no air stone. If `is_above` is true, draws only the part of the hose that is above the water,
+ * over the rim and the counter. */
 void quad_pass_air(const struct quad_pass *pass, const struct scene *scene, bool is_above);
 
 /* Draws the drops and the streams of water that fall from each wet poi (the paper scoop) that is
