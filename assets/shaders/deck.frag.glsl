@@ -35,12 +35,14 @@ vec3 wet(vec3 dry, vec3 at)
     vec3 ray = at - viewer;
     float far = (abs(from_world(tank.xz).y) + at.z) / max(-ray.z, 0.05);
     float film = smoothstep(0.44, 0.60, textureLod(wood, at.xz * vec2(1.3, 2.6) + 0.31, 4.0).r);
-    // One drop, or none, lies in each cell. The lamps make a bright point on its far side, and the
-    // drop gathers their light on its near side.
+    // One drop, or none, lies in each cell. Most drops lie near the water. The lamps make a bright
+    // point on the far side of a drop, and the drop gathers their light on its near side.
     vec2 cell = floor(at.xz / DROP_CELL_M);
     vec3 chance = fract(sin(dot(cell, vec2(12.9898, 78.233)) + vec3(0.0, 1.3, 2.9)) * 43758.5453);
     vec2 drop = at.xz / DROP_CELL_M - cell - mix(vec2(0.3), vec2(0.7), chance.xy);
-    float radius = 0.24 * chance.z * step(0.55, chance.z);
+    vec2 past = abs(at.xz) - abs(from_world(tank.xz));
+    float rare = mix(0.62, 0.97, smoothstep(0.0, 0.10, max(past.x, past.y)));
+    float radius = mix(0.07, 0.28, fract(37.0 * chance.z)) * step(rare, chance.z);
     float r = length(drop) / max(radius, 0.001);
     float inside = 1.0 - smoothstep(0.85, 1.0, r);
     float point = 1.0 - smoothstep(0.1, 0.3, length(drop / max(radius, 0.001) - vec2(0.15, -0.45)));
@@ -48,8 +50,8 @@ vec3 wet(vec3 dry, vec3 at)
     float high = -0.7 * far * ray.y;
     vec3 lamps = street(vec2(at.x + far * ray.x, high) + tilt, 4.0 - 3.0 * inside);
     lamps *= lamps * (0.05 + 0.40 * film + 0.25 * inside) / (1.0 + 5.0 * high * high);
-    vec3 soaked = dry * (1.0 - 0.35 * film) * (1.0 + inside * clamp(2.5 * drop.y, -0.3, 0.5));
-    return soaked + lamps + lamp_light(at) * (0.6 * point * inside);
+    vec3 soaked = dry * (1.0 - 0.45 * film) * (1.0 + inside * clamp(2.5 * drop.y, -0.3, 0.5));
+    return soaked + lamps + lamp_light(at).g * (0.45 * point * inside);
 }
 
 float lamp_pool(float falloff)
@@ -80,7 +82,7 @@ void main()
     float away = max(max(past.x, past.y), 0.0);
     float contact = smoothstep(-0.01, world.z > 0.0 && past.y > past.x ? 0.025 : 0.045, away);
     float t = grain(world.xz * vec2(1.4, 3.4));
-    vec3 tint = mix(vec3(0.15, 0.075, 0.045), vec3(0.52, 0.30, 0.17), t);
+    vec3 tint = mix(vec3(0.14, 0.082, 0.056), vec3(0.47, 0.31, 0.20), t);
     // The bulbs over the tank light the counter beside it. Lanterns hang at the far corners.
     vec2 lantern = vec2(abs(world.x) - abs(from_world(tank.xz).x) - 0.22, world.z + 0.30);
     float glow = 1.0 / (1.0 + dot(lantern, lantern) * 22.0);

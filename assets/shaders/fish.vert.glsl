@@ -200,6 +200,8 @@ void main()
     shine *= shine;
     // Wet skin in air has a narrower highlight than skin in water, but is not brighter elsewhere.
     float gloss = mix(0.62 * shine, 0.90 * shine * shine, wet) * (1.0 - shade);
+    // A highlight of a few pixels would sparkle, so that small fish have little gloss.
+    gloss *= clamp(place.w / gl_Position.w * 40.0 - 0.8, 0.2, 1.0);
 #endif
     haze = vec4(0.0);
     colour();

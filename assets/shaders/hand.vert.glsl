@@ -30,18 +30,18 @@ void main()
     float facing = dot(n, -normalize(ray));
     // The lanterns of the stall also light the hands beside the tank.
     vec3 lamps = vec3(0.62, 0.53, 0.45) + 0.62 * lamp_light(world);
-    lamps *= 1.0 - 0.7 * shade_above(world);
+    lamps *= 1.0 - 0.4 * shade_above(world);
     float free = surface.x;
     // Light that enters the skin leaves it red, so that shadows are warm.
     vec3 soft = is_skin ? vec3(0.42, 0.33, 0.30) : vec3(0.36);
     float lamp = 0.42 * max(dot(n, LAMP_DIRECTION), 0.0) * (0.35 + 0.65 * free);
-    vec3 lit = lamps * (soft * free + lamp);
+    vec3 lit = lamps * (soft * (0.4 + 0.6 * free) + lamp);
     lit = 1.2 * lit / (1.0 + 0.3 * lit); // Bright light does not bleach the skin.
     vec3 skin = mix(vec3(0.78, 0.36, 0.25), vec3(0.99, 0.76, 0.61), clamp(free * 1.25, 0.0, 1.0));
     float edge = 1.0 - max(facing, 0.0);
     skin += vec3(0.10, 0.05, 0.03) * edge * edge;
     vec3 dyed = paint.rgb * 0.62 + vec3(0.02, 0.01, 0.05);
-    vec3 left = water_passes(-world.y * 3.0);
+    vec3 left = max(water_passes(-world.y * 2.0), 0.8); // The hand remains visible in deep water.
     tint.rgb = mix(WATER_COLOR, lit * (is_skin ? skin : dyed), left);
     tint.a = is_skin ? 0.0 : lit.g * left.g;
     vec2 nail = (rest.xz - vec2(0.0, 2.63)) / vec2(0.115, 0.15) + (rest.y < 0.2 ? 9.0 : 0.0);

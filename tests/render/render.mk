@@ -46,7 +46,7 @@ specimen: $(BUILD)/tests/render/specimen
 
 PICTURE := out/pictures
 ## picture/pictures: Draw the pictures of the README pages (needs ImageMagick)
-pictures: fish-pictures game-pictures growth-picture lab-pictures menu-picture manual-pictures stall-picture
+pictures: fish-pictures game-pictures growth-picture lab-pictures menu-picture manual-pictures moving-picture stall-picture
 
 # The choice of a mode, a championship of four players, and paper under a big fish in practice
 # mode. Bots play, so a change of the physics moves the moments. Check the pictures before you keep
@@ -99,6 +99,17 @@ menu-picture: $(BUILD)/tests/render/shot
 	@$< --menu lines --en -o $(PICTURE)/lines.png
 	@convert $(PICTURE)/learn.png $(PICTURE)/lines.png -resize 800x +append -quality 86 assets/pictures/menu.jpg
 	@echo 'assets/pictures/menu.jpg'
+
+# Twelve seconds of a round of the bot, from a recording that the kiosk writes as a video.
+MOVING_FROM_S := 14
+moving-picture: $(BUILD)/kingyo
+	@mkdir -p $(PICTURE)
+	@rm -f $(PICTURE)/round.kgr
+	@$< --demo 30 --seed 7 --window 320x240 --shots $(PICTURE)/round --record $(PICTURE)/round.kgr >/dev/null
+	@$< --replay $(PICTURE)/round.kgr --window 960x540 --video $(PICTURE)/round.mp4
+	@ffmpeg -nostdin -v error -y -ss $(MOVING_FROM_S) -t 12 -i $(PICTURE)/round.mp4 -vf fps=15,scale=640:-2 \
+	    -c:v libwebp_anim -loop 0 -quality 50 -compression_level 6 assets/pictures/round.webp
+	@echo 'assets/pictures/round.webp'
 
 # The kiosk as its operator configures it: the money page, a name that is entered, and the ranking.
 stall-picture: $(BUILD)/tests/render/shot ui-shots

@@ -108,7 +108,7 @@ static void test_reflections_of_lanterns_are_small_and_orange_with_a_hot_middle(
         }
     }
     assert_true(warm > 0 && warm < count / 20u);
-    assert_true(hottest > 200u && 2u * blue < hottest);
+    assert_true(hottest > 200u && 5u * blue < 4u * hottest);
 }
 
 /* Returns the sum of one colour channel over the 5 x 5 pixels in the middle of the picture. */
