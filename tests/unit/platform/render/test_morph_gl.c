@@ -17,6 +17,7 @@
 
 #include "platform/render/fish_mesh.h"
 #include "platform/render/fish_shapes.h"
+#include "platform/render/textures.h"
 #include "platform/render/gl_util.h"
 #include "shaders.h"
 #include "tests/unit/support/gl_context.h"
@@ -244,7 +245,7 @@ static void test_a_texture_row_for_each_fish_gives_the_shape_of_the_cpu(void **s
         for (uint32_t step = 0; step <= 40u; step++) {
             const float progress = (float)step / 40.0f;
             fish_shapes_begin(&shapes);
-            fish_shapes_set(&shapes, &rig, ROW, progress);
+            fish_shapes_set(&shapes, &rig, source, ROW, progress);
             fish_shapes_end(&shapes);
             morph_pose(&rig, source, progress, &pose);
             worse(&worst, compare(source, species->card.key_count));
@@ -385,11 +386,17 @@ static void test_the_shape_of_a_fish_that_has_not_grown_is_not_recomputed(void *
         fish_shapes_begin(&shapes);
         for (uint32_t row = 0; row < 40; row++) {
             const float grown = row == ROW ? 0.1f * (float)frame : 0.0f;
-            fish_shapes_set(&shapes, &rig, row, 0.02f * (float)row + grown);
+            fish_shapes_set(&shapes, &rig, &species_wakin.lod[0], row, 0.02f * (float)row + grown);
         }
         fish_shapes_end(&shapes);
         assert_int_equal(shapes.written_count, frame == 0 ? 40 : 1);
     }
+    /* Another fish of the same age takes over the row, and the fish is of another variety. */
+    fish_shapes_begin(&shapes);
+    fish_shapes_set(&shapes, &rig, &species_demekin.lod[0], 0, 0.0f);
+    fish_shapes_set(&shapes, &rig, &species_wakin.lod[0], 1, 0.02f);
+    fish_shapes_end(&shapes);
+    assert_int_equal(shapes.written_count, 1);
     fish_shapes_close(&shapes);
     assert_int_equal(glGetError(), GL_NO_ERROR);
 }
