@@ -44,6 +44,7 @@ static void present_view(struct kiosk *kiosk, const struct hal *hal)
     const uint8_t phase = kiosk->output.phase;
     const bool is_turned = kiosk->input.is_turned != 0;
     struct view view = is_turned ? kiosk->scene.turned_view : kiosk->scene.view;
+    output_camera_step(&kiosk->camera, &kiosk->dimmer, &kiosk->scene, is_turned, &view);
     kiosk->scene.view = view;
     /* Devices use the player's axes. */
     view.eye_m = view_from_world(is_turned, view.eye_m);

@@ -98,6 +98,7 @@ struct kiosk {
     /* Time of the next attempt to reopen a lost display. 0 means that the display is open. */
     uint64_t display_retry_ns;
     struct output_dimmer dimmer;
+    struct output_camera camera;
     /* Value that was last sent to the pois: true if a dip scoops fish, false if the poi is only a
      * pointer. */
     bool scoops;

@@ -250,3 +250,61 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
         .is_day = (uint32_t)value[SET_TIME],
     };
 }
+
+/* Periods of the camera's drift in ticks along x, y and z, and the largest distance from its place
+ * of rest in metres. */
+static const uint32_t drift_ticks[3] = { 41u * CORE_TICK_HZ, 29u * CORE_TICK_HZ,
+                                         53u * CORE_TICK_HZ };
+static const float drift_m[3] = { 0.045f, 0.020f, 0.030f };
+/* Place of the camera relative to the bowl that it shows closely, in the player's axes. */
+static const vec3 close_eye_m = { 0.0f, 0.36f, 0.27f };
+
+/* Returns `share` after one step toward 1 if `is_wanted` is true, otherwise toward 0. */
+static float move_share(float share, bool is_wanted, float step)
+{
+    return f_clamp(share + (is_wanted ? step : -step), 0.0f, 1.0f);
+}
+
+/* Remembers the bowl into which a fish has fallen since the previous frame. */
+static void notice_catch(struct output_camera *camera, const struct scene *scene, bool is_idle)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct scene_bowl *const bowl = &scene->bowl[i];
+        const uint32_t count = bowl->present ? bowl->fish_count : 0u;
+        if (is_idle && count > camera->caught[i]) {
+            camera->close_m = bowl->position_m;
+            camera->close_until_tick =
+                scene->tick + (uint32_t)(CAMERA_CLOSE_S * (float)CORE_TICK_HZ);
+        }
+        camera->caught[i] = count;
+    }
+}
+
+void output_camera_step(struct output_camera *camera, const struct output_dimmer *dimmer,
+                        const struct scene *scene, bool is_turned, struct view *view)
+{
+    const uint32_t ticks = scene->tick - camera->seen_tick;
+    const float step =
+        (float)(ticks < CORE_TICK_HZ ? ticks : 0u) * CORE_TICK_S * (1.0f / CAMERA_MOVE_S);
+    const float idle_s = (float)(dimmer->seen_ns - dimmer->touched_ns) * 1e-9f;
+    const bool is_idle = scene->phase == PHASE_ATTRACT && idle_s >= CAMERA_IDLE_S;
+    camera->seen_tick = scene->tick;
+    notice_catch(camera, scene, is_idle);
+    const int32_t left_ticks = (int32_t)(camera->close_until_tick - scene->tick);
+    camera->drift = move_share(camera->drift, is_idle, step);
+    const bool is_close =
+        left_ticks > 0 && (float)left_ticks <= CAMERA_CLOSE_S * (float)CORE_TICK_HZ;
+    camera->close = move_share(camera->close, is_idle && is_close, step);
+    const float drift = f_smoothstep(0.0f, 1.0f, camera->drift);
+    float off_m[3];
+    for (uint32_t i = 0; i < 3; i++) {
+        const float turn = (float)(scene->tick % drift_ticks[i]) / (float)drift_ticks[i];
+        off_m[i] = drift * drift_m[i] * f_sin(F_TAU * turn);
+    }
+    const vec3 eye_m =
+        v3_add(view->eye_m, view_to_world(is_turned, v3(off_m[0], off_m[1], off_m[2])));
+    const float close = f_smoothstep(0.0f, 1.0f, camera->close);
+    view->eye_m =
+        v3_lerp(eye_m, v3_add(camera->close_m, view_to_world(is_turned, close_eye_m)), close);
+    view->target_m = v3_lerp(view->target_m, camera->close_m, close);
+}

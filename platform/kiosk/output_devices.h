@@ -10,6 +10,7 @@
 #include "core/display_geometry.h"
 #include "core/input.h"
 #include "core/output.h"
+#include "core/scene.h"
 #include "core/settings.h"
 #include "platform/hal.h"
 
@@ -74,6 +75,11 @@ uint32_t output_lines_are_done(const struct output_lines *switches,
 #define DIMMER_NIGHT_IDLE_S 60u
 /* Distance in metres that a poi must move to count as input. Shorter movements may be sensor
  * noise. */
+/* Time in seconds without a touch after which the camera begins to drift in attract mode, time in
+ * seconds that it takes to reach a place, and time in seconds that it stays close to a fish. */
+#define CAMERA_IDLE_S 10.0f
+#define CAMERA_MOVE_S 1.5f
+#define CAMERA_CLOSE_S 4.0f
 #define DIMMER_STIR_M 0.03f
 /* Maximum shift of the picture in each direction, as a fraction of the picture height. The shift is
  * 4 pixels at a height of 720 pixels, and 6 pixels at a height of 1080 pixels. */
@@ -104,3 +110,19 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
                                            const struct settings *settings,
                                            const struct input *input, bool is_attract,
                                            uint64_t now_ns);
+
+/* Motion of the camera in attract mode. All zero: the camera rests. */
+struct output_camera {
+    float drift; /* Share [0, 1] of the slow motion around the place of rest. */
+    float close; /* Share [0, 1] of the way to a bowl into which a fish has fallen. */
+    uint32_t seen_tick, close_until_tick;
+    uint32_t caught[POI_MAX]; /* Number of fish in each bowl in the previous frame. */
+    vec3 close_m;             /* Position of the bowl. */
+};
+
+/* Moves the camera `view`, which is at rest, to its place in this frame. The camera moves only in
+ * attract mode, while nobody has touched the kiosk for CAMERA_IDLE_S. It drifts slowly, and comes
+ * close to a bowl for a moment after a fish has fallen into the bowl. Otherwise the camera returns
+ * within CAMERA_MOVE_S. Must be called after output_dimmer_step(), which detects touches. */
+void output_camera_step(struct output_camera *camera, const struct output_dimmer *dimmer,
+                        const struct scene *scene, bool is_turned, struct view *view);

@@ -208,6 +208,55 @@ static void find_part(struct frame *frame, const uint32_t below_px[2])
     frame->part = (struct frame_part){ range[0][0], range[1][0], range[0][1], range[1][1] };
 }
 
+/* Additional margin in pixels while the camera moves. */
+#define PART_MOVING_PX 48u
+
+static uint32_t end_of(uint32_t first, uint32_t size, uint32_t size_px)
+{
+    const uint32_t end = first + size + PART_MOVING_PX;
+    return end < size_px ? end : size_px;
+}
+
+/* Keeps the part `last` of the previous frame while the camera moves, so that the render targets
+ * are seldom created again. The part changes if it no longer contains the water, or has much more
+ * than the water. */
+static void keep_part(struct frame *frame, const struct frame_part *last,
+                      const uint32_t below_px[2])
+{
+    struct frame_part *const part = &frame->part;
+    const bool is_inside = part->x >= last->x && part->y >= last->y &&
+                           part->x + part->width <= last->x + last->width &&
+                           part->y + part->height <= last->y + last->height;
+    if (is_inside && last->width * last->height < 2u * part->width * part->height) {
+        *part = *last;
+        return;
+    }
+    const uint32_t right = end_of(part->x, part->width, below_px[0]);
+    const uint32_t top = end_of(part->y, part->height, below_px[1]);
+    part->x = part->x > PART_MOVING_PX ? (part->x - PART_MOVING_PX) & ~1u : 0u;
+    part->y = part->y > PART_MOVING_PX ? (part->y - PART_MOVING_PX) & ~1u : 0u;
+    part->width = right - part->x;
+    part->height = top - part->y;
+}
+
+/* Finds the part with the water, and whether the camera moves. The camera moves if the last frame
+ * had another camera and the same sizes. */
+static void follow_camera(struct frame *frame, const uint32_t below_px[2])
+{
+    const struct frame_part last = frame->part;
+    const bool is_same_size =
+        memcmp(frame->last_below_px, below_px, sizeof frame->last_below_px) == 0;
+    const bool is_same_view =
+        memcmp(frame->last_view, frame->block.view_projection, sizeof frame->last_view) == 0;
+    frame->is_moving = is_same_size && !is_same_view;
+    memcpy(frame->last_view, frame->block.view_projection, sizeof frame->last_view);
+    memcpy(frame->last_below_px, below_px, sizeof frame->last_below_px);
+    find_part(frame, below_px);
+    if (frame->is_moving) {
+        keep_part(frame, &last, below_px);
+    }
+}
+
 /* Writes the block for the render targets below the water to `below`, and adds the position of
  * these render targets to the block for the screen. */
 static void crop(struct frame *frame, struct frame_block *below, const uint32_t size_px[2],
@@ -319,7 +368,7 @@ void frame_begin(struct frame *frame, const struct scene *scene,
     set_light(block, frame->is_day);
     struct frame_block below;
     find_shaded_part(frame, size_px);
-    find_part(frame, below_px);
+    follow_camera(frame, below_px);
     crop(frame, &below, size_px, below_px);
     glBindBuffer(GL_UNIFORM_BUFFER, frame->below_buffer);
     gl_buffer_refill(GL_UNIFORM_BUFFER, &below, sizeof below);

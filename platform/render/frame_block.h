@@ -50,6 +50,10 @@ struct frame {
     GLuint buffer, below_buffer;
     struct frame_block block;
     struct frame_part part;
+    /* Camera and size of the previous frame, and true if only the camera has changed since then. */
+    float last_view[16];
+    uint32_t last_below_px[2];
+    bool is_moving;
     struct frame_part shaded_part; /* Part of the screen in which fans shade the rim or the counter,
                                       in pixels. Its width is 0 if no fan does. */
     struct frame_view view;

@@ -107,7 +107,11 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
             bowl_pass_hull(&renderer->bowl, &scene->bowl[i]);
         }
     }
-    basin_pass_deck(&renderer->basin, &renderer->deck, &renderer->frame.shaded_part);
+    if (renderer->frame.is_moving) {
+        basin_pass_moving_deck(&renderer->basin, &renderer->textures);
+    } else {
+        basin_pass_deck(&renderer->basin, &renderer->deck, &renderer->frame.shaded_part);
+    }
     quad_pass_air(&renderer->quad, scene, true);
     quad_pass_drips(&renderer->quad, scene);
     fish_pass_bodies(&renderer->fish, FISH_ON_POI, false, &renderer->textures, caustics);
@@ -158,8 +162,7 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     basin_pass_prepare(&renderer->basin, scene);
     poi_pass_prepare(&renderer->poi, scene);
     hand_pass_prepare(&renderer->hand, scene);
-    basin_pass_keep_deck(&renderer->basin, &renderer->frame.block, &renderer->deck,
-                         &renderer->textures);
+    basin_pass_keep_deck(&renderer->basin, &renderer->frame, &renderer->deck, &renderer->textures);
     step_done(renderer, STEP_PREPARE);
     light_pass_shades(&renderer->light, &renderer->frame.shades);
     light_pass_caustics(&renderer->light, &renderer->textures);

@@ -104,8 +104,10 @@ int renderer_warm_up(struct renderer *renderer, struct scene *scratch)
     for (uint32_t i = 0; i < sizeof warm_steps / sizeof *warm_steps && error == HAL_OK; i++) {
         error = renderer_lower(renderer, warm_steps[i]);
         renderer->transform.light = 0.5f; /* A second program darkens the picture. */
-        for (uint32_t is_high = 0; is_high < 2 && error == HAL_OK; is_high++) {
-            fill_scene(scratch, is_high ? 0.05f : 0.0f);
+        /* The pois are in the water, then above it. In the third picture the camera has moved. */
+        for (uint32_t picture = 0; picture < 3 && error == HAL_OK; picture++) {
+            fill_scene(scratch, picture == 1 ? 0.05f : 0.0f);
+            scratch->view.eye_m.x = picture == 2 ? 0.01f : 0.0f;
             renderer_draw(renderer, scratch);
         }
         draw_page(renderer);

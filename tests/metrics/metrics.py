@@ -95,6 +95,7 @@ FEATURE_LINES = {
     'the street behind the stall, by night and by day, and the wet wood around the tank': 380,
     'reflections in the water of bowls, and shadows of the fish in bowls': 26,
     'the hose of the air stone': 8,
+    'a camera that drifts in attract mode, and pictures below the water that follow it': 108,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.

@@ -268,29 +268,42 @@ void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint sh
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (4 * WALL_COLUMNS + 1), WALL_ROWS);
 }
 
-void basin_pass_keep_deck(struct basin_pass *pass, const struct frame_block *frame,
-                          const struct gl_target *target, const struct textures *textures)
+/* Draws the rim, the counter and the street into the current render target. The faces are drawn
+ * from the lowest to the highest. */
+static void draw_deck(const struct basin_pass *pass, const struct textures *textures)
 {
-    struct deck_view view;
-    memcpy(view.view_projection, frame->view_projection, sizeof view.view_projection);
-    memcpy(view.tank, frame->tank, sizeof view.tank);
-    if (memcmp(&view, &pass->kept, sizeof view) == 0) {
-        return;
-    }
-    pass->kept = view;
-    gl_target_bind(target);
-    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
     gl_bind_texture(0, GL_TEXTURE_2D, textures->wood);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, textures->backdrop);
-    /* The faces are drawn from the lowest to the highest. */
     draw_part(pass, PART_COUNTER);
     draw_part(pass, PART_SIDES);
     draw_part(pass, PART_BACKDROP);
     glEnable(GL_BLEND);
     draw_part(pass, PART_RIM);
     glDisable(GL_BLEND);
+}
+
+void basin_pass_keep_deck(struct basin_pass *pass, const struct frame *frame,
+                          const struct gl_target *target, const struct textures *textures)
+{
+    struct deck_view view;
+    memcpy(view.view_projection, frame->block.view_projection, sizeof view.view_projection);
+    memcpy(view.tank, frame->block.tank, sizeof view.tank);
+    if (frame->is_moving || memcmp(&view, &pass->kept, sizeof view) == 0) {
+        return;
+    }
+    pass->kept = view;
+    gl_target_bind(target);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    draw_deck(pass, textures);
     gl_target_resolve(target);
+}
+
+void basin_pass_moving_deck(const struct basin_pass *pass, const struct textures *textures)
+{
+    glDepthMask(GL_FALSE);
+    draw_deck(pass, textures);
+    glDepthMask(GL_TRUE);
 }
 
 void basin_pass_forget(struct basin_pass *pass)

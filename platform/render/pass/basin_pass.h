@@ -40,10 +40,14 @@ void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint sh
 
 /* Draws the rim and the counter (the table around the tank) into `target`, which has the size of
  * the screen. Does nothing if the target already has the picture for the camera and the tank of
- * `frame`. basin_pass_forget() must be called after a target was created. */
-void basin_pass_keep_deck(struct basin_pass *pass, const struct frame_block *frame,
+ * `frame`, or if the camera moves. basin_pass_forget() must be called after a target was
+ * created. */
+void basin_pass_keep_deck(struct basin_pass *pass, const struct frame *frame,
                           const struct gl_target *target, const struct textures *textures);
 void basin_pass_forget(struct basin_pass *pass);
+/* Draws the rim and the counter without a kept picture and without the shades of fans. For a frame
+ * in which the camera moves. */
+void basin_pass_moving_deck(const struct basin_pass *pass, const struct textures *textures);
 /* Draws the rim and the counter (the table around the tank) from the picture `kept` of
  * basin_pass_keep_deck(). The depth test hides the parts behind nearer objects. The rim and the
  * counter write no depth, because a poi (paper scoop) is always held over the rim. `shaded` is the

@@ -1,5 +1,6 @@
-/* test_dimmer.c -- Tests the brightness of the display and the pixel shift against burn-in. The
- * display is bright during a game, dimmed when idle, and dark at night. */
+/* test_dimmer.c -- Tests the brightness of the display, the pixel shift against burn-in, and the
+ * camera in attract mode. The display is bright during a game, dimmed when idle, and dark at
+ * night. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,12 +19,16 @@ static struct settings settings;
 static struct input input;
 static struct display_settings display_settings;
 static uint64_t now_ns;
+static struct output_camera camera;
+static struct scene scene;
 
 static int set_up(void **state)
 {
     (void)state;
     memset(&dimmer, 0, sizeof dimmer);
     memset(&input, 0, sizeof input);
+    memset(&camera, 0, sizeof camera);
+    memset(&scene, 0, sizeof scene);
     settings_reset(&settings);
     now_ns = 77 * S;
     return 0;
@@ -194,6 +199,76 @@ static void test_static_elements_do_not_shift_while_the_player_aims(void **state
 
 #define TEST(test) cmocka_unit_test_setup(test, set_up)
 
+static const struct view rest = { .eye_m = { 0.0f, 1.0f, 0.7f }, .half_height_tan = 0.25f };
+
+/* Advances the camera by `seconds` and returns its last view. Each view is at most 2 cm from the
+ * view before, so that no picture jumps. */
+static struct view camera_after(uint32_t seconds)
+{
+    struct view last = rest, view = rest;
+    scene.phase = PHASE_ATTRACT;
+    for (uint32_t i = 0; i < seconds * 60u; i++) {
+        frame(1);
+        scene.tick += 2;
+        view = rest;
+        output_camera_step(&camera, &dimmer, &scene, false, &view);
+        assert_true(i == 0 || v3_length(v3_sub(view.eye_m, last.eye_m)) < 0.02f);
+        last = view;
+    }
+    return view;
+}
+
+static float way_m(const struct view *view)
+{
+    return v3_length(v3_sub(view->eye_m, rest.eye_m));
+}
+
+static void test_the_camera_drifts_only_after_ten_idle_seconds(void **state)
+{
+    (void)state;
+    struct view view = camera_after(9);
+    assert_memory_equal(&view, &rest, sizeof rest);
+    view = camera_after(8);
+    assert_true(way_m(&view) > 0.005f && way_m(&view) < 0.06f);
+    input.pressed = INPUT_START;
+    view = camera_after(3);
+    assert_memory_equal(&view, &rest, sizeof rest);
+}
+
+static void test_the_camera_shows_a_landed_fish_closely_for_a_moment(void **state)
+{
+    (void)state;
+    scene.bowl[2] = (struct scene_bowl){ .present = 1, .position_m = { 0.3f, 0.0f, 0.1f } };
+    camera_after(12);
+    scene.bowl[2].fish_count = 1;
+    struct view view = camera_after(3);
+    assert_memory_equal(&view.target_m, &scene.bowl[2].position_m, sizeof view.target_m);
+    assert_true(v3_length(v3_sub(view.eye_m, view.target_m)) < 0.5f);
+    view = camera_after(4);
+    assert_true(way_m(&view) < 0.06f);
+    /* If the ticks begin anew, as in the next session, the camera also returns. */
+    scene.bowl[2].fish_count = 2;
+    camera_after(1);
+    scene.tick = 5;
+    view = camera_after(3);
+    assert_true(way_m(&view) < 0.06f);
+}
+
+static void test_the_camera_rests_in_a_game(void **state)
+{
+    (void)state;
+    struct view view = rest;
+    camera_after(20);
+    scene.phase = PHASE_ROUND;
+    for (uint32_t i = 0; i < 120; i++) {
+        frame(0);
+        scene.tick += 2;
+        view = rest;
+        output_camera_step(&camera, &dimmer, &scene, false, &view);
+    }
+    assert_memory_equal(&view, &rest, sizeof rest);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -205,6 +280,9 @@ int main(void)
         TEST(test_an_unset_clock_disables_night_mode),
         TEST(test_static_elements_shift_by_one_pixel_every_few_minutes),
         TEST(test_static_elements_do_not_shift_while_the_player_aims),
+        TEST(test_the_camera_drifts_only_after_ten_idle_seconds),
+        TEST(test_the_camera_shows_a_landed_fish_closely_for_a_moment),
+        TEST(test_the_camera_rests_in_a_game),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
