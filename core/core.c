@@ -28,7 +28,7 @@
  *
  * `kingyoctl tank` allocates a larger tank of its own (platform/ctl/tank/tank.mk). */
 _Static_assert(sizeof(struct tank) <= 1024u * 1024u, "the tank outgrew its budget");
-_Static_assert(sizeof(struct core) <= 1153u * 1024u, "the core's state outgrew its budget");
+_Static_assert(sizeof(struct core) <= 1154u * 1024u, "the core's state outgrew its budget");
 _Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
 _Static_assert(sizeof(struct scene) <= 1024u * 1024u, "the scene outgrew its budget");
 
@@ -289,7 +289,7 @@ static void sound_fish(struct core *core, struct output *output)
 #define FALL_DROPS 22u
 #define FALL_RADIUS_M 0.010f
 
-/* Adds the splashes of the pois, and of the fish that fell from them. */
+/* Adds the splashes of the pois and of the fish that fell from them, and scraps of torn paper. */
 static void add_splashes(struct core *core, const uint8_t live[POI_MAX],
                          const struct catch_result caught[POI_MAX])
 {
@@ -297,6 +297,7 @@ static void add_splashes(struct core *core, const uint8_t live[POI_MAX],
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (live[i]) {
             surface_splash_poi(splashes, &core->world.poi[i], core->game.tick);
+            surface_splash_scrap(splashes, &core->world.poi[i], core->game.tick);
             surface_splash(splashes, caught[i].fell_m, caught[i].fell_m_s, FALL_RADIUS_M,
                            FALL_DROPS, core->game.tick);
         }

@@ -150,6 +150,18 @@ struct scene_splash {
     uint8_t drops;   /* Number of drops. */
 };
 
+/* Largest number of scraps of paper in a scene. Each of them is shown for SCENE_SCRAP_S. */
+#define SCENE_SCRAP_MAX 8u
+#define SCENE_SCRAP_S 14.0f
+
+/* A scrap of torn paper that sinks in the tank. */
+struct scene_scrap {
+    vec3 position_m; /* Place at which the paper tore. */
+    vec3 push_m_s;   /* Velocity of the poi when its paper tore. */
+    float age_s;     /* Seconds since the tear. */
+    uint32_t seed;   /* Random bits that choose the path and the shape. */
+};
+
 /* Air stone of a tank that has a pump. */
 struct scene_pump {
     uint8_t present;
@@ -331,6 +343,8 @@ struct scene {
     struct scene_pump pump;
     struct scene_splash splash[SCENE_SPLASH_MAX]; /* Sorted from the newest to the oldest. */
     uint32_t splash_count;
+    struct scene_scrap scrap[SCENE_SCRAP_MAX];
+    uint32_t scrap_count;
     /* Slope of the water surface along x and z, times 508; +-127 is a slope of +-0.25. */
     int8_t slope[RIPPLE_Z][RIPPLE_X][2];
 

@@ -40,20 +40,27 @@ void main()
     float fibre = texture(fibres, at * 1.7).r;
     float frayed = texture(fibres, at * 3.1 + 0.3).r - 0.5;
     float solid = cell.b + (fibre - 0.5) * 0.45 + frayed * 0.5;
-    if (solid < 0.5 || light.w * paper.z > 0.0) { // Only the paper below the water surface belongs to
+    // Some of the torn paper is left as flaps, which reach into the hole.
+    float flap = clamp(0.25 + 0.9 * sin(at.x * 23.0 + 2.0 * fibre) * sin(at.y * 19.0 + 1.0), 0.0, 1.0);
+    float edge = 0.5 - 0.42 * flap;
+    if (solid < edge || light.w * paper.z > 0.0) { // Only the paper below the water surface belongs to
                                                   // the picture below the surface.
         discard;
     }
-    float wet = smoothstep(0.05, 0.75, cell.r);
+    // Water spreads along the fibres, so that the front of wet paper is soft and uneven.
+    float spread = 4.0 * cell.r * (1.0 - cell.r);
+    float wet = smoothstep(0.05, 0.75, cell.r + 0.45 * spread * (fibre - 0.5));
     float worn = 1.0 - cell.g;
+    float thin = smoothstep(0.10, 0.85, worn);
     // Torn paper curls. Its edge is bright, and the fold behind the edge is darker.
     float torn = 1.0 - step(0.995, cell.b);
-    float lip = (1.0 - smoothstep(0.5, 0.72, solid)) * torn;
-    float fold = clamp(1.0 - abs(solid - 0.82) * (1.0 / 0.20), 0.0, 1.0) * torn;
+    float lip = (1.0 - smoothstep(edge, edge + 0.16, solid)) * torn;
+    float fold = clamp(1.0 - abs(solid - 0.72) * (1.0 / 0.24), 0.0, 1.0) * torn;
     vec3 dry = vec3(1.0, 0.975, 0.925) * (0.80 + 0.32 * fibre);
     vec3 soaked = vec3(0.74, 0.83, 0.85) * (0.74 + 0.46 * fibre);
     vec3 tint = mix(dry, soaked, wet);
-    float alpha = mix(0.95, 0.34 + 0.32 * fibre, wet) * (1.0 - 0.28 * worn * wet);
+    float alpha = mix(0.95, 0.34 + 0.32 * fibre, wet) * (1.0 - (0.15 + 0.35 * thin) * worn * wet);
+    tint *= (1.0 - thin * vec3(0.22, 0.20, 0.18)) * (1.0 - 0.07 * spread);
 #ifdef PRACTICE
     tint = mix(dry, heat(cell.a) * (0.62 + 0.66 * fibre), 0.88 + 0.10 * wet);
     float front = abs(cell.r - 0.4) / max(fwidth(cell.r), 0.004); // Distance from the border
@@ -61,10 +68,11 @@ void main()
     tint *= 0.45 + 0.55 * smoothstep(0.7, 1.7, front);
     alpha = 0.92 - (0.30 - 0.22 * fibre) * wet;
 #endif
-    tint *= light.x * (1.0 - paper.w * (0.45 + 0.40 * worn)); // Paper in danger is darker, most
+    tint *= light.x * (1.0 - paper.w * (0.40 + 0.24 * worn)); // Paper in danger is darker, most
                                                               // where worn.
-    tint *= (1.0 - 0.30 * fold) * (1.0 - 0.55 * light.y);
-    tint = mix(tint, vec3(1.0, 0.98, 0.95), 0.55 * lip);
+    float hangs = 1.0 - smoothstep(edge, 0.66, solid); // A flap turns away from the light.
+    tint *= (1.0 - 0.30 * fold) * (1.0 - 0.22 * hangs * torn) * (1.0 - 0.55 * light.y);
+    tint = mix(tint, vec3(1.0, 0.98, 0.95), 0.40 * lip);
     alpha += 0.30 * light.y * (1.0 - alpha);
     alpha = mix(alpha, 0.95, max(0.8 * lip, 0.35 * fold));
     // In air, wet paper is less transparent than in water.

@@ -1,4 +1,5 @@
-// The paper of a poi, a disc that sags under its load. The light that changes little between two
+// The paper of a poi, a disc that sags under its load. Worn paper sags deeper, and the paper around
+// holes hangs down. The light that changes little between two
 // vertices is computed here.
 layout(location = 0) in vec2 position;  // Position in ring radii. y increases toward the handle.
 uniform mat4 pose;
@@ -7,6 +8,7 @@ uniform vec2 pool;                      // x: world height of the pool on the pa
 uniform vec4 rests[2];                  // Fish on this paper. xyz: centre. w: length in m; 0 means
                                         // no fish.
 uniform vec3 spines[2];
+uniform sampler2DArray sheet;           // As in poi_paper.frag.glsl.
 out vec2 at;
 out vec4 light;     // x: brightness. y: shadow of the fish on the paper. z: cosine of the angle
                     // between the normal and the direction halfway to the lamps. w: height above
@@ -26,18 +28,26 @@ float shade(vec3 world, vec4 rest, vec3 spine)
         * (1.0 - smoothstep(0.34, 0.62, abs(along) / max(rest.w, 1e-4)));
 }
 
+const float FLAP_RADII = 0.30;          // Length of a flap of torn paper in ring radii.
+
 void main()
 {
     float r2 = dot(position, position);
-    vec3 local = vec3(position.x, -paper.x * (1.0 - r2), position.y);
+    at = position * 0.5 + 0.5;
+    vec4 cell = textureLod(sheet, vec3(at, paper.y), 0.0);
+    float soft = cell.r * (1.0 - cell.g);
+    vec3 local = vec3(position.x, -(paper.x + 0.05 * soft) * (1.0 - r2), position.y);
     vec3 world = (pose * vec4(local, 1.0)).xyz;
+    // The paper does not hang at the ring. In water it hangs less, and moves.
+    float hangs = (1.0 - cell.b) * clamp((1.0 - r2) * 6.0, 0.0, 1.0);
+    float sways = world.y < 0.0 ? 0.5 + 0.2 * sin(eye.w * 3.0 + 9.0 * position.x) : 1.0;
+    world.y -= hangs * sways * FLAP_RADII * length(pose[0].xyz);
     vec2 slope = -2.0 * paper.x * position;
     vec3 view = normalize(eye.xyz - world);
     vec3 n = normalize(mat3(pose) * vec3(slope.x, 1.0, slope.y));
     n *= sign(dot(n, view)); // The normal is turned to the face that the viewer sees.
     vec3 middle = normalize(view + LAMP_DIRECTION);
     float away = 1.0 - max(view.y, 0.0);
-    at = position * 0.5 + 0.5;
     light.x = (0.66 + 0.40 * max(dot(n, LAMP_DIRECTION), 0.0)) * (1.0 - 0.7 * shade_above(world));
     light.y = max(shade(world, rests[0], spines[0]), shade(world, rests[1], spines[1]));
     light.z = max(dot(n, middle), 0.0);

@@ -121,6 +121,43 @@ void surface_splash_poi(struct splashes *splashes, const struct poi *poi, uint32
     }
 }
 
+/* Returns the middle of the hole number `which` % (number of holes) of a poi's sheet in the world.
+ * A hole is one cell. Returns the centre of the ring if the sheet has no hole. */
+static vec3 hole_m(const struct poi *poi, uint32_t which)
+{
+    const struct sheet *const sheet = &poi->sheet;
+    const struct basis axes = vec_basis_from_angles(poi->angles);
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        count += sheet->state[i] == CELL_HOLE;
+    }
+    uint32_t left = count > 0 ? which % count : 0;
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        if (sheet->state[i] == CELL_HOLE && left-- == 0) {
+            const vec3 at =
+                v3(sheet_line_m(sheet, i % SHEET_SIDE), 0.0f, sheet_line_m(sheet, i / SHEET_SIDE));
+            return v3_add(poi->position_m, vec_basis_to_world(&axes, at));
+        }
+    }
+    return poi->position_m;
+}
+
+void surface_splash_scrap(struct splashes *splashes, const struct poi *poi, uint32_t tick)
+{
+    const uint32_t last = (splashes->next_scrap + SCENE_SCRAP_MAX - 1u) % SCENE_SCRAP_MAX;
+    const uint32_t seed = tick * 0x9e3779b9u;
+    CORE_ASSERT(splashes->next_scrap < SCENE_SCRAP_MAX);
+    if (poi->strain.cells_torn > 0 &&
+        (splashes->scrap_ticks[last] == 0 ||
+         tick + 1u - splashes->scrap_ticks[last] >= SPLASH_SCRAP_TICKS)) {
+        splashes->scraps[splashes->next_scrap] = (struct scene_scrap){
+            .position_m = hole_m(poi, seed >> 8), .push_m_s = poi->velocity_m_s, .seed = seed
+        };
+        splashes->scrap_ticks[splashes->next_scrap] = tick + 1u;
+        splashes->next_scrap = (splashes->next_scrap + 1u) % SCENE_SCRAP_MAX;
+    }
+}
+
 void surface_splash_show(const struct splashes *splashes, uint32_t tick, struct scene *scene)
 {
     scene->splash_count = 0;
@@ -130,6 +167,14 @@ void surface_splash_show(const struct splashes *splashes, uint32_t tick, struct 
         if (splashes->ticks[at] != 0 && age_s <= SCENE_SPLASH_S) {
             scene->splash[scene->splash_count] = splashes->latest[at];
             scene->splash[scene->splash_count++].age_s = age_s;
+        }
+    }
+    scene->scrap_count = 0;
+    for (uint32_t i = 0; i < SCENE_SCRAP_MAX; i++) {
+        const float age_s = (float)(tick + 1u - splashes->scrap_ticks[i]) * CORE_TICK_S;
+        if (splashes->scrap_ticks[i] != 0 && age_s <= SCENE_SCRAP_S) {
+            scene->scrap[scene->scrap_count] = splashes->scraps[i];
+            scene->scrap[scene->scrap_count++].age_s = age_s;
         }
     }
 }

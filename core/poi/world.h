@@ -12,12 +12,15 @@
 #include "core/poi/tear_clip.h"
 #include "core/tank/tank.h"
 
-/* The latest splashes, as a ring buffer, for display only. No hash contains them. The age of an
- * entry is computed from `ticks`, the tick of its splash plus 1. The value 0 means no splash. */
+/* The latest splashes and scraps of paper, as two ring buffers, for display only. No hash contains
+ * them. The age of an entry is computed from its tick plus 1. The value 0 means no entry. */
 struct splashes {
     struct scene_splash latest[SCENE_SPLASH_MAX];
     uint32_t ticks[SCENE_SPLASH_MAX];
     uint32_t next; /* Index of the oldest entry, which the next splash replaces. */
+    struct scene_scrap scraps[SCENE_SCRAP_MAX];
+    uint32_t scrap_ticks[SCENE_SCRAP_MAX];
+    uint32_t next_scrap;
 };
 
 struct world {
@@ -35,9 +38,13 @@ void surface_splash(struct splashes *splashes, vec3 at_m, vec3 push_m_s, float r
                     uint8_t drops_max, uint32_t tick);
 /* Adds the splash of a poi whose ring enters or leaves the water in this tick. */
 void surface_splash_poi(struct splashes *splashes, const struct poi *poi, uint32_t tick);
-/* Writes the splashes of the last SCENE_SPLASH_S before `tick` to `scene`. */
+/* Adds a scrap of paper at a hole of the poi's sheet if the sheet tore in this tick. Adds at most
+ * one scrap in SPLASH_SCRAP_TICKS. */
+void surface_splash_scrap(struct splashes *splashes, const struct poi *poi, uint32_t tick);
+/* Writes the scraps, and the splashes of the last SCENE_SPLASH_S before `tick` to `scene`. */
 void surface_splash_show(const struct splashes *splashes, uint32_t tick, struct scene *scene);
 
+#define SPLASH_SCRAP_TICKS 16u
 /* Speeds of a body, in m/s, at which its splash begins to throw drops and throws most of them. */
 #define SPLASH_FROM_M_S 0.08f
 #define SPLASH_FULL_M_S 0.7f

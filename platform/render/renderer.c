@@ -32,6 +32,7 @@ static void draw_life(const struct renderer *renderer, const struct scene *scene
         }
     }
     quad_pass_air(&renderer->quad, scene, false);
+    quad_pass_scraps(&renderer->quad, scene);
     for (enum fish_group group = FISH_SMALL; group <= FISH_GULPING; group++) {
         fish_pass_fins(&renderer->fish, group, caustics);
     }

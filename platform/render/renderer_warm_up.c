@@ -64,6 +64,8 @@ static void fill_scene(struct scene *scene, float height_m)
     };
     scene->splash_count = 1;
     scene->splash[0] = (struct scene_splash){ .age_s = 0.1f, .drops = 4 };
+    scene->scrap_count = 1;
+    scene->scrap[0] = (struct scene_scrap){ .position_m = v3(0.0f, -0.02f, 0.0f), .age_s = 1.0f };
     /* The first fan shades the rim of the tank. The second fan is over the water. */
     for (uint32_t i = 0; i < 2; i++) {
         scene->fan[i] = (struct scene_fan){

@@ -74,6 +74,15 @@
 /* Distance in m from a splash in a bowl within which drops make rings. */
 #define SPRAY_BOWL_M 0.05f
 
+/* Scraps of paper: speed in m/s in air and in water, height in m of a scrap above the floor and
+ * below the surface, time in seconds in which the push of the poi fades, and size of the sway. */
+#define SCRAP_FALLS_M_S 0.8f
+#define SCRAP_SINKS_M_S 0.012f
+#define SCRAP_TOP_M 0.003f
+#define SCRAP_PUSH_S 0.7f
+#define SCRAP_SWAY_M 0.006f
+#define SCRAP_REST_M 0.02f /* Height above the floor below which a scrap sways less. */
+
 /* Draws the pictures of a fan (fan_face.frag.glsl), which do not change afterwards. */
 static void draw_fan_faces(struct gl_status *status, struct quad_pass *pass,
                            const struct textures *textures)
@@ -104,6 +113,8 @@ void quad_pass_open(struct gl_status *status, struct quad_pass *pass,
     pass->low = glGetUniformLocation(pass->drip_program, "low");
     pass->across = glGetUniformLocation(pass->drip_program, "across");
     pass->spray_program = gl_program(status, "spray", "", shader_spray_vert, shader_spray_frag, "");
+    pass->scrap_program =
+        gl_program(status, "scraps", "#define SCRAP\n", shader_spray_vert, shader_spray_frag, "");
     pass->fan_program = gl_program(status, "fan", "", shader_fan_vert, shader_fan_frag, "faces");
     pass->fan_pose = glGetUniformLocation(pass->fan_program, "pose");
     pass->fan_trim = glGetUniformLocation(pass->fan_program, "trim");
@@ -129,6 +140,7 @@ void quad_pass_close(struct quad_pass *pass)
     glDeleteProgram(pass->bubble_program);
     glDeleteProgram(pass->drip_program);
     glDeleteProgram(pass->spray_program);
+    glDeleteProgram(pass->scrap_program);
     glDeleteProgram(pass->fan_program);
     glDeleteProgram(pass->dark_program);
     glDeleteProgram(pass->copy_program);
@@ -250,16 +262,60 @@ uint32_t quad_spray_of(const struct scene *scene, struct quad_drop out[QUAD_SPRA
     return count;
 }
 
-void quad_pass_spray(const struct quad_pass *pass, const struct scene *scene)
+/* Computes the place of a scrap of paper. Returns false if the scrap is not in the water. */
+static bool sink(const struct scene *scene, const struct scene_scrap *scrap, struct quad_drop *out)
 {
-    struct quad_drop drops[QUAD_SPRAY_MAX];
-    const uint32_t count = quad_spray_of(scene, drops);
+    uint32_t state = scrap->seed;
+    const float phase = F_TAU * next_chance(&state), size_m = 0.003f + 0.003f * next_chance(&state);
+    const float sinks_m_s = SCRAP_SINKS_M_S * (0.6f + 0.8f * next_chance(&state));
+    const float wet_s = scrap->age_s - f_max(scrap->position_m.y, 0.0f) / SCRAP_FALLS_M_S;
+    const float top_m = f_min(scrap->position_m.y, 0.0f) - SCRAP_TOP_M;
+    const float floor_m = SCRAP_TOP_M - scene->tank_size_m.y;
+    /* The push of the poi fades, and the scrap sways like a falling leaf. */
+    const float pushed_s = SCRAP_PUSH_S * (1.0f - f_exp(-f_max(wet_s, 0.0f) / SCRAP_PUSH_S));
+    const vec3 drift = v3_scale(v3_flat(scrap->push_m_s), 0.5f * pushed_s);
+    const float sway = f_sin(1.9f * wet_s + phase), lean = f_cos(1.3f * wet_s + 2.0f * phase);
+    const float y_m = f_max(top_m - sinks_m_s * wet_s, floor_m);
+    const float moves = SCRAP_SWAY_M * f_min((y_m - floor_m) / SCRAP_REST_M, 1.0f);
+    const float x_m = scrap->position_m.x + drift.x + moves * sway;
+    const float z_m = scrap->position_m.z + drift.z + moves * lean;
+    const float fades = f_clamp(0.4f * (SCENE_SCRAP_S - scrap->age_s), 0.0f, 1.0f);
+    *out = (struct quad_drop){ { x_m, y_m, z_m, size_m }, phase + 0.4f * sway, fades };
+    return wet_s > 0.0f && f_abs(x_m) < 0.5f * scene->tank_size_m.x &&
+           f_abs(z_m) < 0.5f * scene->tank_size_m.z;
+}
+
+uint32_t quad_scraps_of(const struct scene *scene, struct quad_drop out[SCENE_SCRAP_MAX])
+{
+    uint32_t count = 0;
+    CORE_ASSERT(scene->scrap_count <= SCENE_SCRAP_MAX);
+    for (uint32_t i = 0; i < scene->scrap_count; i++) {
+        count += sink(scene, &scene->scrap[i], &out[count]);
+    }
+    return count;
+}
+
+static void draw_spray(const struct quad_pass *pass, GLuint program, const struct quad_drop *drops,
+                       uint32_t count)
+{
     if (count > 0) {
         glBindBuffer(GL_ARRAY_BUFFER, pass->spray_buffer);
         gl_buffer_refill(GL_ARRAY_BUFFER, drops, count * sizeof *drops);
-        glUseProgram(pass->spray_program);
+        glUseProgram(program);
         draw_translucent(pass->spray_array, (GLsizei)count);
     }
+}
+
+void quad_pass_scraps(const struct quad_pass *pass, const struct scene *scene)
+{
+    struct quad_drop scraps[SCENE_SCRAP_MAX];
+    draw_spray(pass, pass->scrap_program, scraps, quad_scraps_of(scene, scraps));
+}
+
+void quad_pass_spray(const struct quad_pass *pass, const struct scene *scene)
+{
+    struct quad_drop drops[QUAD_SPRAY_MAX];
+    draw_spray(pass, pass->spray_program, drops, quad_spray_of(scene, drops));
 }
 
 void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene)

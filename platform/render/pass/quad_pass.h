@@ -19,7 +19,8 @@ struct quad_drop {
 struct quad_pass {
     GLuint no_attributes;             /* Vertex array without attributes. */
     GLuint spray_array, spray_buffer; /* Vertex array and buffer with the drops of the picture. */
-    GLuint bubble_program, drip_program, spray_program, fan_program, dark_program, copy_program;
+    GLuint bubble_program, drip_program, spray_program, scrap_program, fan_program, dark_program,
+        copy_program;
     struct gl_target fan_faces; /* Pictures of fan_face.frag.glsl. */
     /* Locations of the shader uniforms. fan_pose and fan_trim belong to the uniforms `pose` and
      * `trim` of the program for fans. */
@@ -47,6 +48,12 @@ uint32_t quad_spray_of(const struct scene *scene, struct quad_drop out[QUAD_SPRA
 /* Draws the drops of quad_spray_of() into a render target with a depth buffer, with one draw call.
  * Must be called after the pois are drawn. */
 void quad_pass_spray(const struct quad_pass *pass, const struct scene *scene);
+
+/* Computes the scraps of paper under water. The member `stretch` of a scrap is its angle in rad.
+ * Returns the number of scraps. */
+uint32_t quad_scraps_of(const struct scene *scene, struct quad_drop out[SCENE_SCRAP_MAX]);
+/* Draws the scraps of quad_scraps_of() into the render target of the objects below the water. */
+void quad_pass_scraps(const struct quad_pass *pass, const struct scene *scene);
 
 /* Draws the hand-held fans over all other objects of the scene, with blending. The render target
  * needs no depth buffer. The shade map (light_pass.h) contains the fans' shadows. */

@@ -1,5 +1,5 @@
-/* test_spray.c -- Tests the causes of splashes in the core, and the paths of the drops that the
- * renderer draws. */
+/* test_spray.c -- Tests the causes of splashes in the core, and the paths of the drops and of the
+ * scraps of torn paper, that the renderer draws. */
 #include <string.h>
 
 #include "platform/render/pass/quad_pass.h"
@@ -157,6 +157,58 @@ static void test_rings_lie_on_the_water_of_tank_or_bowl(void **state)
     }
 }
 
+static void test_torn_paper_loses_few_scraps_at_its_holes(void **state)
+{
+    (void)state;
+    static struct poi poi;
+    memset(&splashes, 0, sizeof splashes);
+    memset(&poi, 0, sizeof poi);
+    poi.sheet.radius_m = 0.04f;
+    poi.position_m = v3(0.1f, -0.02f, 0.05f);
+    const uint32_t hole = 20u * SHEET_SIDE + 8u;
+    poi.sheet.state[hole] = CELL_HOLE;
+    surface_splash_scrap(&splashes, &poi, 100);
+    surface_splash_show(&splashes, 100, &shown);
+    assert_int_equal(shown.scrap_count, 0); /* An old hole loses no scrap. */
+    poi.strain.cells_torn = 1;
+    for (uint32_t tick = 100; tick < 100 + 4u * SPLASH_SCRAP_TICKS; tick++) {
+        surface_splash_scrap(&splashes, &poi, tick);
+    }
+    surface_splash_show(&splashes, 100 + 4u * SPLASH_SCRAP_TICKS, &shown);
+    assert_int_equal(shown.scrap_count, 4);
+    for (uint32_t i = 0; i < shown.scrap_count; i++) {
+        const vec3 at = shown.scrap[i].position_m;
+        assert_float_equal(at.x, 0.1f + sheet_line_m(&poi.sheet, 8), 1e-6f);
+        assert_float_equal(at.y, -0.02f, 1e-6f);
+        assert_float_equal(at.z, 0.05f + sheet_line_m(&poi.sheet, 20), 1e-6f);
+    }
+    surface_splash_show(&splashes, 100 + 15u * CORE_TICK_HZ, &shown);
+    assert_int_equal(shown.scrap_count, 0);
+}
+
+static void test_a_scrap_falls_into_the_water_and_sinks_to_the_floor(void **state)
+{
+    (void)state;
+    memset(&shown, 0, sizeof shown);
+    shown.tank_size_m = v3(0.9f, 0.1f, 0.6f);
+    shown.scrap_count = 1;
+    shown.scrap[0] = (struct scene_scrap){ .position_m = v3(0.1f, 0.04f, 0.0f),
+                                           .push_m_s = v3(0.5f, 0.2f, 0.0f),
+                                           .seed = 9 };
+    assert_int_equal(quad_scraps_of(&shown, drops), 0); /* In the air. */
+    float last_m = 0.0f;
+    for (uint32_t i = 1; i < 28u; i++) {
+        shown.scrap[0].age_s = 0.5f * (float)i;
+        assert_int_equal(quad_scraps_of(&shown, drops), 1);
+        assert_true(drops[0].place[1] <= last_m);
+        assert_true(drops[0].place[0] > 0.05f && drops[0].place[0] < 0.4f);
+        last_m = drops[0].place[1];
+    }
+    assert_float_equal(last_m, 0.003f - 0.1f, 1e-6f);
+    shown.scrap[0].position_m.x = 1.0f; /* Torn beyond the wall, so not in the water. */
+    assert_int_equal(quad_scraps_of(&shown, drops), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -165,6 +217,8 @@ int main(void)
         cmocka_unit_test(test_a_splash_ends_and_the_newest_splashes_are_kept),
         cmocka_unit_test(test_drops_rise_fall_and_make_rings),
         cmocka_unit_test(test_equal_scenes_have_equal_drops_and_never_more_than_the_pool),
+        cmocka_unit_test(test_torn_paper_loses_few_scraps_at_its_holes),
+        cmocka_unit_test(test_a_scrap_falls_into_the_water_and_sinks_to_the_floor),
         cmocka_unit_test(test_rings_lie_on_the_water_of_tank_or_bowl),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
