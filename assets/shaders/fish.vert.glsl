@@ -18,6 +18,8 @@ layout(location = 1) in vec3 stain_back;   // it is red, at the back and at the 
 layout(location = 2) in vec3 pale_belly;   // (platform/render/fish_colours.h).
 layout(location = 3) in vec3 stain_belly;
 #endif
+layout(location = 12) in vec4 weights;     // Of belly, ridge, edge of the gill cover and eye, as
+                                           // pack_weights() of fish_mesh.c writes them.
 layout(location = 13) in vec4 rides;       // zw: motion of the opening mouth, as pack_mouth() of
                                            // fish_mesh.c writes it.
 layout(location = 15) in vec3 gulp;        // Opening of the mouth, phase of the gulp or -1 for a fish
@@ -76,16 +78,12 @@ void colour()
 #else
 void colour()
 {
-    float eye_part = step(0.5, surface.z * 255.0);
-    float under = 1.0 - abs(surface.y * 2.0 - 1.0); // 0 at the back, 1 at the belly.
-    float belly = smoothstep(0.52, 0.96, under);
+    float belly = weights.x, eye_part = weights.w;
     vec3 iris = mix(vec3(0.86, 0.62, 0.20), vec3(0.78, 0.78, 0.72), character.w);
     // The eyes of black and of young fish are dark, as their backs are.
     pale = mix(mix(pale_back, pale_belly, belly), iris * pale_back, eye_part);
     stain = mix(mix(stain_back, stain_belly, belly), vec3(0.015), eye_part);
-    float ridge = (1.0 - smoothstep(0.0, 0.42, under)) * smoothstep(0.0, 0.12, surface.x);
-    haze.rgb = vec3(0.20 * ridge * (1.0 - eye_part)); // Scales on the back reflect light upward.
-    haze.w = smoothstep(0.15, 0.35, under) * (1.0 - belly * 0.6) * (1.0 - eye_part) * 0.30;
+    haze = vec4(vec3(0.20 * weights.y), 0.30 * weights.z); // Scales on the back reflect light upward.
     skin = vec4(surface.xy, character.y, eye_part);
 }
 #endif

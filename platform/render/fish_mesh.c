@@ -60,8 +60,26 @@ static void pack_mouth(uint8_t out[2], const struct species_mesh *source, uint32
     out[1] = (uint8_t)(MOUTH_REST + rise / LOWER_LIP * MOUTH_STEPS + 0.5f);
 }
 
+/* Writes the weights with which fish.vert.glsl colours a vertex: of the belly, of the bright ridge
+ * of the back and of the gill cover's edge, each 0 to 255, and 255 for an eye. */
+static void pack_weights(uint8_t out[MORPH_CURVE_MAX], const struct species_vertex *vertex)
+{
+    const float under = 1.0f - f_abs(vertex->v * 2.0f - 1.0f); /* 0 at the back, 1 at the belly. */
+    const float belly = f_smoothstep(0.52f, 0.96f, under);
+    const float ridge =
+        (1.0f - f_smoothstep(0.0f, 0.42f, under)) * f_smoothstep(0.0f, 0.12f, vertex->u);
+    const float gill = f_smoothstep(0.15f, 0.35f, under) * (1.0f - 0.6f * belly);
+    const bool is_eye = vertex->part != PART_BODY;
+    out[0] = paint_atlas_byte(belly);
+    out[1] = is_eye ? 0 : paint_atlas_byte(ridge);
+    out[2] = is_eye ? 0 : paint_atlas_byte(gill);
+    out[3] = is_eye ? UINT8_MAX : 0;
+}
+
+/* Writes a vertex to `out`. A fish of the tank has the bytes of pack_weights() in place of the
+ * masks, because its shape is blended on the CPU. */
 static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_t key_count,
-                        uint32_t index)
+                        uint32_t index, bool is_tank)
 {
     CORE_ASSERT(index < source->vertex_count && key_count <= MORPH_KEY_MAX);
     for (uint32_t key = 0; key < key_count; key++, out += KEY_SIZE) {
@@ -71,6 +89,9 @@ static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_
     uint8_t rest[BYTES_SIZE] = { paint_atlas_byte(vertex->u), paint_atlas_byte(vertex->v),
                                  vertex->part, vertex->flex };
     memcpy(rest + SURFACE_SIZE, vertex->mask, MORPH_CURVE_MAX);
+    if (is_tank) {
+        pack_weights(rest + SURFACE_SIZE, vertex);
+    }
     rest[SURFACE_SIZE + MORPH_CURVE_MAX] = vertex->anchor;
     rest[SURFACE_SIZE + MORPH_CURVE_MAX + 1u] = vertex->side;
     pack_mouth(rest + SURFACE_SIZE + MORPH_CURVE_MAX + 2u, source, index);
@@ -194,9 +215,9 @@ void fish_mesh_reserve(struct fish_mesh *mesh)
 }
 
 /* Uploads the mesh `source`, and the lists of triangles in memory->indices, whose lengths are in
- * mesh->index_counts. */
+ * mesh->index_counts. `is_tank` is true for a fish of the tank. */
 static void upload(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
-                   const struct species_mesh *source, uint32_t key_count)
+                   const struct species_mesh *source, uint32_t key_count, bool is_tank)
 {
     CORE_ASSERT(key_count > 0 && key_count <= MORPH_KEY_MAX);
     const size_t rest = key_count * KEY_SIZE, stride = rest + REST_SIZE;
@@ -206,7 +227,7 @@ static void upload(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
     }
     CORE_ASSERT(source->vertex_count <= MESH_VERTEX_MAX);
     for (uint32_t i = 0; i < source->vertex_count; i++) {
-        pack_vertex(memory->vertices + i * stride, source, key_count, i);
+        pack_vertex(memory->vertices + i * stride, source, key_count, i, is_tank);
     }
     glBindVertexArray(mesh->vertex_array);
     glBindBuffer(GL_ARRAY_BUFFER, mesh->vertex_buffer);
@@ -246,7 +267,7 @@ void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
     memset(mesh->index_counts, 0, sizeof mesh->index_counts);
     mesh->index_counts[FISH_BODY] = (GLsizei)body;
     mesh->index_counts[FISH_FINS] = (GLsizei)fins;
-    upload(mesh, memory, source, key_count);
+    upload(mesh, memory, source, key_count, false);
 }
 
 void fish_mesh_fill_tank(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
@@ -262,7 +283,7 @@ void fish_mesh_fill_tank(struct fish_mesh *mesh, struct fish_mesh_memory *memory
         mesh->index_counts[list] = (GLsizei)count;
         first += count;
     }
-    upload(mesh, memory, source, key_count);
+    upload(mesh, memory, source, key_count, true);
 }
 
 void fish_mesh_close(struct fish_mesh *mesh)

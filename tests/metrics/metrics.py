@@ -74,7 +74,7 @@ FEATURE_LINES = {
     'shapes of fish that are blended once and kept in a texture, and the strips at the edge of the water': 35,
     'light for each vertex of poi and bowl, colours for each fish, a mesh for small fish, cropped pictures': 420,
     'quality steps in the order in which a viewer notices them, the screen scale, and half the frame rate': 68,
-    'bowls before the water for the early depth test, shades of fans only where they fall, grids in bands': 71,
+    'bowls before the water for the early depth test, shades of fans only where they fall, grids in bands': 74,
     'an artificial scene that draws with every program while the game loads': 93,
     'a camera on the short side of the tank, handles of bots, and axes of the player': 126,
     'a Latin typeface of the readable text, a curtain that cuts no letter, and a pointer without paper': 34,
