@@ -13,8 +13,9 @@ $(BUILD)/tests/render/shot: $(SHOT_PARTS:%=$(BUILD)/tests/render/%.o) $(BUILD)/s
 # pushes it. --lab SPECIES --progress P shows the growth lab with --compare, --path or
 # --size-layer. --album N --progress P shows the album with N fish. --menu PAGE --step N shows a
 # page of the operator's menu. --coins N sets the price of a round. --rotation QUARTERS, --inset
-# and --shift THOUSANDTHS and --light PERCENT transform the picture on the screen. --steps writes
-# the name of each render step on standard error. --quality-step N lowers the quality by N steps.
+# and --shift THOUSANDTHS and --light PERCENT transform the picture on the screen. --frames N
+# --every S draws N pictures, S seconds apart. --steps writes the name of each render step on
+# standard error. --quality-step N lowers the quality by N steps.
 ## picture/shot: Play and keep a frame in out/shot.png; ARGS="--players 4"
 shot: $(BUILD)/tests/render/shot
 	@mkdir -p out
@@ -24,6 +25,10 @@ shot: $(BUILD)/tests/render/shot
 gallery: $(BUILD)/tests/render/shot $(BUILD)/tests/v3d/gl_trace.so
 	@tests/render/gallery.sh $(BUILD) out/gallery
 	@[ -z "$(BEFORE)" ] || tests/render/gallery.py $(BEFORE) out/gallery out/gallery-crops
+
+## picture/strips: Draw ten frames of entry, tear, catch, pour and escape in out/strips
+strips: $(BUILD)/tests/render/shot
+	@tests/render/strips.sh $(BUILD) out/strips
 
 $(BUILD)/tests/render/film: $(BUILD)/tests/render/film.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
@@ -133,4 +138,4 @@ manual-pictures: $(BUILD)/tests/render/shot
 	        assets/pictures/manual-$$name.jpg; \
 	    echo "assets/pictures/manual-$$name.jpg"; done
 
-.PHONY: stall-picture manual-pictures menu-picture lab-pictures growth-picture shot gallery film specimen pictures fish-pictures game-pictures
+.PHONY: strips stall-picture manual-pictures menu-picture lab-pictures growth-picture shot gallery film specimen pictures fish-pictures game-pictures

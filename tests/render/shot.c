@@ -123,6 +123,21 @@ static int keep_picture(const struct hal_display *device, const char *path)
     return 0;
 }
 
+/* Draws the pictures after the first one, each `every_s` of the game later. */
+static int draw_later_pictures(const struct hal_display *device, struct shot_options options)
+{
+    char path[256];
+    int status = 0;
+    for (uint32_t i = 1; i < options.frames && status == 0; i++) {
+        options.seconds += options.every_s;
+        shot_scene(&options, &scene);
+        device->ops->present(device->self, &scene);
+        snprintf(path, sizeof path, "%s%u.png", options.out, i);
+        status = keep_picture(device, path);
+    }
+    return status;
+}
+
 int main(int argc, char **argv)
 {
     const struct shot_options options = shot_options_parse(argc, argv);
@@ -159,7 +174,12 @@ int main(int argc, char **argv)
     if (options.passes) {
         time_passes(&device);
     }
-    const int status = keep_picture(&device, options.out);
+    char first[256];
+    snprintf(first, sizeof first, options.frames > 1 ? "%s0.png" : "%s", options.out);
+    int status = keep_picture(&device, first);
+    if (status == 0) {
+        status = draw_later_pictures(&device, options);
+    }
     device.ops->close(device.self);
     return status;
 }

@@ -86,6 +86,8 @@ static const struct plain_option {
     { "--stamina", OPTION_FLOAT, offsetof(struct shot_options, stamina), 1.0f },
     { "--oxygen", OPTION_FLOAT, offsetof(struct shot_options, oxygen_mg_l), 1.0f },
     { "--seconds", OPTION_FLOAT, offsetof(struct shot_options, seconds), 1.0f },
+    { "--frames", OPTION_BYTE, offsetof(struct shot_options, frames), 0.0f },
+    { "--every", OPTION_FLOAT, offsetof(struct shot_options, every_s), 1.0f },
     { "--scale", OPTION_FLOAT, offsetof(struct shot_options, scale), 1.0f },
     { "-o", OPTION_TEXT, offsetof(struct shot_options, out), 0.0f },
 };

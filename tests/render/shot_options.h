@@ -9,6 +9,10 @@
 
 struct shot_options {
     float seconds, scale;
+    /* Number of pictures and the seconds between two of them. With more than one, `out` is
+     * followed by the number of the picture, from 0, and by ".png". */
+    uint8_t frames;
+    float every_s;
     /* Stamina of the fish and oxygen content of the water. A negative value means that the preset's
      * value is used. */
     float stamina, oxygen_mg_l;

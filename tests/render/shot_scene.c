@@ -75,7 +75,10 @@ static void open_album(const struct shot_options *options)
         core.game.tick - (uint32_t)(options->progress * (float)album_ticks(album->fish_count));
 }
 
-static void play(const struct shot_options *options, struct output *output)
+/* Number of ticks that were played, 0 before the first call of play(). A later call continues. */
+static uint32_t played;
+
+static void open_game(const struct shot_options *options)
 {
     const struct core_config config = { .seed = options->seed ? options->seed : 2013u,
                                         .preset = options->preset,
@@ -88,8 +91,15 @@ static void play(const struct shot_options *options, struct output *output)
         exit(2);
     }
     set_water(options);
+}
+
+static void play(const struct shot_options *options, struct output *output)
+{
+    if (played == 0) {
+        open_game(options);
+    }
     const uint32_t ticks = (uint32_t)(options->seconds * (float)CORE_TICK_HZ);
-    for (uint32_t i = 0; i < ticks; i++) {
+    for (uint32_t i = played; i < ticks; i++) {
         struct input input = { 0 };
         for (uint32_t k = 0; k < POI_MAX && k <= options->players; k++) {
             input.poi[k].link = k == 0 || k < options->players ? POI_SOURCE_BOT : POI_SOURCE_ABSENT;
@@ -104,6 +114,7 @@ static void play(const struct shot_options *options, struct output *output)
         output->sound_count = 0;
         core_tick(&core, &input, output);
     }
+    played = ticks;
 }
 
 /* Opens the page that the options select: the growth lab, the album or the operator's menu. */
