@@ -90,6 +90,7 @@ FEATURE_LINES = {
     'volumes of music and effects, quiet hours, and the light in the menu': 61,
     'a hand with a sleeve that holds each poi': 404,
     'drops of splashes, and their rings on the water': 191,
+    'weights of the colours of a fish at each vertex': 20,
     'flaps and scraps of torn paper': 103,
     'demekin and ryukin: double tails in species texts, and varieties that are only drawn': 48,
     'light of a summer night, in the shaders and on each fish, and daylight by a setting': 64,
