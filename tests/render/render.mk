@@ -105,15 +105,15 @@ menu-picture: $(BUILD)/tests/render/shot
 	@convert $(PICTURE)/learn.png $(PICTURE)/lines.png -resize 800x +append -quality 86 assets/pictures/menu.jpg
 	@echo 'assets/pictures/menu.jpg'
 
-# Twelve seconds of a round of the bot, from a recording that the kiosk writes as a video.
-MOVING_FROM_S := 14
+# Eight seconds of a round of the bot, from a recording that the kiosk writes as a video.
+MOVING_FROM_S := 16
 moving-picture: $(BUILD)/kingyo
 	@mkdir -p $(PICTURE)
 	@rm -f $(PICTURE)/round.kgr
 	@$< --demo 30 --seed 7 --window 320x240 --shots $(PICTURE)/round --record $(PICTURE)/round.kgr >/dev/null
 	@$< --replay $(PICTURE)/round.kgr --window 960x540 --video $(PICTURE)/round.mp4
-	@ffmpeg -nostdin -v error -y -ss $(MOVING_FROM_S) -t 12 -i $(PICTURE)/round.mp4 -vf fps=15,scale=640:-2 \
-	    -c:v libwebp_anim -loop 0 -quality 50 -compression_level 6 assets/pictures/round.webp
+	@ffmpeg -nostdin -v error -y -ss $(MOVING_FROM_S) -t 8 -i $(PICTURE)/round.mp4 -vf fps=12,scale=560:-2 \
+	    -c:v libwebp_anim -loop 0 -quality 40 -compression_level 6 assets/pictures/round.webp
 	@echo 'assets/pictures/round.webp'
 
 # The kiosk as its operator configures it: the money page, a name that is entered, and the ranking.
