@@ -49,7 +49,7 @@ void main()
     // The water in the bowl is shallow and clear. The enamel has a dark line right above the water.
     float drowned = clamp(grid.z, 0.0, 1.0);
     float caustic = texture(caustics, grid.xy).r;
-    tint *= mix(vec3(1.0), vec3(0.90, 0.97, 0.98) * (0.86 + 0.40 * caustic), drowned);
+    tint *= mix(vec3(1.0), vec3(0.90, 0.97, 0.98) * (0.93 + 0.17 * caustic), drowned);
     float line = abs(grid.z - 0.10) * 7.0;
     tint *= 1.0 - 0.35 * max(1.0 - line * line, 0.0);
     color = vec4(tint + shine, 1.0);

@@ -26,6 +26,6 @@ void main()
     float gleam = max(1.0 - 4.0 * abs(corner.x + 0.35), 0.0);
     vec3 tube = vec3(0.62, 0.74, 0.70) * (0.75 - 0.35 * edge * edge) + 0.45 * gleam;
     tube = mix(WATER_COLOR, tube, water_passes(-high_m * 1.2));
-    vec4 hose = vec4(tube, 1.0) * (0.65 + 0.25 * edge);
+    vec4 hose = vec4(0.7 * tube, 1.0) * (0.65 + 0.25 * edge);
     color = grey > 1.5 ? hose : mix(bubble * whole * inside, rock, grey);
 }

@@ -10,6 +10,7 @@ out float whole;    // Visibility of the bubble, from 1 to 0 when it bursts.
 
 const float HOSE_M = 0.0030; // Radius of the hose.
 const float STONE_M = 0.011;
+const int HOSE_OVER = 8;       // Parts of the hose from the stone over the rim to the counter.
 const float RISES_M_S = 0.24;
 const float FLOATS_S = 0.55;
 
@@ -18,23 +19,29 @@ float chance(float seed)
     return fract(sin(seed * 12.9898) * 43758.5453);
 }
 
-// Returns point `part` of the hose, from 0 at the stone to HOSE_PARTS on the counter.
+// Returns the point at the fraction t of a cubic Bezier curve.
+vec3 bezier(vec3 a, vec3 b, vec3 c, vec3 d, float t)
+{
+    float s = 1.0 - t;
+    return (s * s * s) * a + (3.0 * s * s * t) * b + (3.0 * s * t * t) * c + (t * t * t) * d;
+}
+
+// Returns point `part` of the hose, from 0 at the stone to HOSE_PARTS on the counter. The hose rises
+// from the stone, passes over the rim, and lies on the counter.
 vec3 hose(int part)
 {
     float wall = -tank.x;
-    if (part < 2) {
-        return part == 0 ? stone + vec3(0.0, 0.6 * STONE_M, 0.0)
-                         : vec3(wall + 0.012, stone.y * 0.55, stone.z);
-    }
-    if (part < 4) {
-        return vec3(wall + 0.005, part == 2 ? 0.0 : tank.w, stone.z);
+    vec3 outside = vec3(wall - 0.066, 0.004, stone.z + 0.006);
+    if (part <= HOSE_OVER) {
+        return bezier(stone + vec3(0.0, 0.6 * STONE_M, 0.0), vec3(wall + 0.010, 0.0, stone.z),
+                      vec3(wall - 0.020, 2.1 * tank.w + 0.05, stone.z), outside,
+                      float(part) / float(HOSE_OVER));
     }
     // On a portrait screen the hose ends in front of the street.
-    float out_m = abs(shade_map.z) < 0.5 ? 0.045 : 0.9;
-    vec3 down = vec3(wall - 0.050, -0.008, stone.z + 0.004);
-    return part == 4 ? vec3(wall - 0.016, tank.w + 0.004, stone.z)
-        : part == 5 ? vec3(wall - 0.036, tank.w - 0.002, stone.z + 0.002)
-        : part == 6 ? down : vec3(wall - out_m, -0.008, stone.z + 0.30 * out_m);
+    float out_m = abs(shade_map.z) < 0.5 ? 0.080 : 0.9;
+    vec3 away = vec3(wall - out_m, -0.008, stone.z + 0.30 * out_m);
+    return bezier(outside, outside + vec3(-0.010, -0.014, 0.002), vec3(wall - 0.12, -0.008, stone.z),
+                  away, float(part - HOSE_OVER) / float(HOSE_PARTS - HOSE_OVER));
 }
 
 void hose_quad(int part)

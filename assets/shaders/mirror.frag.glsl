@@ -29,12 +29,12 @@ void main()
     // its edge is deep orange or red.
     float core = smoothstep(0.40, 0.92, night.r);
     float hot = core * core;
-    float lantern = (0.5 * core + 16.0 * hot * hot) * (0.6 + 4.0 * fresnel) * water_tint.w;
+    float lantern = (0.25 * core + 9.0 * hot * hot) * (0.5 + 3.0 * fresnel) * water_tint.w;
     float glint = max(dot(mirror, vec3(0.100, 0.619, -0.779)), 0.0);
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     float lit = 1.0 - shade_above(world);      // A fan also hides the lamps from the water.
-    vec2 light = vec2(1.0, 0.45 * night.y + 0.38 * hot * hot) * (lantern * lit)
+    vec2 light = vec2(1.0, 0.45 * night.y + 0.55 * hot * hot) * (lantern * lit)
         + night * sky_glow.xy * fresnel + vec2(2.6, 1.2) * (glint * lit);
     // Soft knee for both colours by the brighter one, so that a bright reflection keeps its colour.
     light /= 1.0 + max(light.x, light.y);

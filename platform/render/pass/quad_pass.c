@@ -11,7 +11,7 @@
  * surface. */
 #define BUBBLE_COUNT 72
 /* Number of straight parts of the hose from the air stone over the rim to the counter. */
-#define HOSE_PARTS 7
+#define HOSE_PARTS 12
 #define TEXT(number) #number
 #define HOSE_DEFINE(number) "#define HOSE_PARTS " TEXT(number) "\n"
 /* Maximum number of drops per poi. DROPS_LOOSE drops detach one at a time, and DROPS_STREAM drops
