@@ -9,9 +9,9 @@ export GUEST=${GUEST:-bookworm} BUILD=${BUILD:-build}
 . "$(dirname "$0")/qemu.sh"
 . "$(dirname "$0")/results.sh"
 width=320 height=240
-# The guest's programs are emulated. The kiosk compiles its shaders in 90 s if no other program
-# uses the processors, and in more than 200 s on a busy machine.
-limit_s=${VM_SECONDS:-600} patience_s=${VM_PATIENCE:-120}
+# The guest's programs are emulated. Before its first picture the kiosk compiles all shaders, which
+# takes minutes, and more than six minutes on a busy machine. The shaders are kept for the next run.
+limit_s=${VM_SECONDS:-1000} patience_s=${VM_PATIENCE:-120}
 writer_pid='' planner_pid='' hanging=0
 
 leave() {

@@ -7,7 +7,7 @@
 # shellcheck disable=SC2154,SC1091,SC2034  # the sourced files set and use these variables
 export BUILD=${BUILD:-build}
 . "$(dirname "$0")/disk.sh" "${CARD:-image}"
-limit_s=${VM_SECONDS:-900}
+limit_s=${VM_SECONDS:-1300}
 writer_pid=''
 
 leave() {
