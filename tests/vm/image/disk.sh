@@ -61,7 +61,11 @@ make_share() { # SCRIPT of guest/ that the guest runs
     cp "$programs/kingyo-poi" "$programs"/tests/vm/{panel,as,image/hold} "$top/board/poi-gadget/kingyo-poi-gadget" "$share/bin/"
     cp "$busybox" "$share/bin/busybox"
     for tool in pidof killall; do ln -s busybox "$share/bin/$tool"; done
-    [ ! -d "$shaders" ] || cp -r "$shaders" "$share/mesa"
+    # The guest of test-vm has the same processor and the same Mesa, so its shaders are valid here.
+    local kept
+    for kept in "$modules_cache/mesa/mesa_shader_cache" "$shaders"; do
+        [ ! -d "$kept" ] || { mkdir -p "$share/mesa" && cp -r "$kept/." "$share/mesa/"; }
+    done
 }
 
 keep_shaders() { # Keeps the compiled shaders for the next machine.
