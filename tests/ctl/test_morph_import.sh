@@ -23,8 +23,11 @@ mistake() { # STATUS WORDS ARGUMENTS...: Prints one line that contains WORDS, wi
 for text in "$root"/assets/species/*.txt; do
     id=$(basename "$text" .txt)
     check "morph import packs $id" morph import "$work/$id.kfish" "$text"
-    same_weights() { cmp <(morph weights "$id" --steps 50) <(morph weights "$work/$id.kfish" --steps 50); }
-    check "the packed $id has the weights of the built-in species" same_weights
+    # The varieties of the goldfish are only drawn. The program has no species of their names.
+    case $id in demekin | ryukin) like=$text ;; *) like=$id ;; esac
+    same_weights() { [ -s "$work/weights" ] && cmp "$work/weights" <(morph weights "$work/$id.kfish" --steps 50); }
+    morph weights "$like" --steps 50 >"$work/weights"
+    check "the packed $id has the weights of $(basename "$like")" same_weights
 done
 check '--id renames a species' morph import "$work/pet.kfish" "$root/assets/species/wakin.txt" --id pet
 echo 'species x' >"$work/short.txt"

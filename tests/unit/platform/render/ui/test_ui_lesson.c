@@ -106,8 +106,8 @@ static void test_the_arrow_runs_from_the_poi_to_the_bowl(void **state)
         for (uint32_t k = 0; k < batch.quad_count; k++) {
             const struct bounds b = bounds_of(k);
             between += batch.kinds[k] == UI_PANEL && b.left > poi.x && b.right < bowl.x &&
-                       b.top > fminf(poi.y, bowl.y) - 30.0f * poi.px_per_m * 0.001f &&
-                       b.bottom < fmaxf(poi.y, bowl.y) + 30.0f * poi.px_per_m * 0.001f;
+                       b.top > fminf(poi.y, bowl.y) - 45.0f * poi.px_per_m * 0.001f &&
+                       b.bottom < fmaxf(poi.y, bowl.y) + 45.0f * poi.px_per_m * 0.001f;
         }
         assert_true(between >= 8u);
     }
