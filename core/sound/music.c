@@ -283,7 +283,9 @@ void music_render(struct music *music, float *mix)
         play_step(music);
     }
     music->wait -= 1.0f;
-    if (music->late_blocks > 0 && --music->late_blocks == 0) {
+    const bool is_late_due = music->late_blocks == 1u;
+    music->late_blocks -= music->late_blocks > 0;
+    if (is_late_due) {
         flute_play(&music->flute[1], music->late.hz, music->late.level, music->late.length_blocks,
                    music->late.ornament);
     }

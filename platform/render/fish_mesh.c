@@ -174,6 +174,7 @@ static uint16_t small_vertex(const struct species_mesh *source, uint16_t index)
         end++;
     }
     const uint32_t length = end - ray_first;
+    CORE_ASSERT(length > 0);
     if (vertex->part == PART_TAIL && index + 1u < end) {
         return (uint16_t)ray_first;
     }

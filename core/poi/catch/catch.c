@@ -165,9 +165,11 @@ static bool advance_fall(const struct scoop *scoop, struct carried_fish *carried
     const enum fall_end end = catch_fall_tick(carried, scoop->stall, &bowl);
     if (end == FALL_INTO_BOWL || end == FALL_INTO_WATER) {
         struct catch_result *const result = &scoop->results[scoop->poi_index];
-        const struct bowl *const into = end == FALL_INTO_BOWL ? &scoop->stall->bowls[bowl] : NULL;
         result->fell_m = v3_flat(scoop->tank->fish[carried->fish].position_m);
-        result->fell_m.y = into ? into->position_m.y - bowl_level_m(into) : 0.0f;
+        if (end == FALL_INTO_BOWL) {
+            const struct bowl *const into = &scoop->stall->bowls[bowl];
+            result->fell_m.y = into->position_m.y - bowl_level_m(into);
+        }
         result->fell_m_s = carried->fall_m_s;
     }
     switch (end) {
