@@ -97,6 +97,7 @@ FEATURE_LINES = {
     'the street behind the stall, by night and by day, and the wet wood around the tank': 380,
     'reflections in the water of bowls, and shadows of the fish in bowls': 26,
     'the hose of the air stone': 8,
+    'checks of results and of a divisor that clang-tidy needs': 5,
     'a camera that drifts in attract mode, and pictures below the water that follow it': 108,
 }
 
