@@ -8,12 +8,12 @@ VM_STATIC := $(BUILD)/tests/vm/watchdog_host $(BUILD)/tests/vm/as $(BUILD)/tests
 VM_GUEST := $(VM_STATIC) $(BUILD)/tests/vm/lag
 
 # The disk image has Debian 12, so only that guest also runs test-image.
-## test/test-vm: Run the kiosk on a real kernel in QEMU; GUEST=bookworm|trixie|arm64
+## test/test-vm: Run the kiosk in QEMU; GUEST=bookworm|trixie|arm64, IMAGE=no: without a disk
 test-vm:
 	@tests/vm/ready.sh $(GUEST); case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	$(MAKE) --no-print-directory -j$(JOBS) build $(BUILD)/kingyo-poi $(VM_BIN) && \
 	BUILD=$(BUILD) GUEST=$(GUEST) tests/vm/test-vm.sh && \
-	{ [ $(GUEST) != bookworm ] || $(MAKE) --no-print-directory PARTS=round test-image; }
+	{ [ $(GUEST) != bookworm ] || [ "$(IMAGE)" = no ] || $(MAKE) --no-print-directory PARTS=round test-image; }
 
 ## test/test-image: Boot the disk image: a round, faults, intruders; PARTS=...
 test-image:
