@@ -8,7 +8,7 @@ VM_STATIC := $(BUILD)/tests/vm/watchdog_host $(BUILD)/tests/vm/as $(BUILD)/tests
 VM_GUEST := $(VM_STATIC) $(BUILD)/tests/vm/lag
 
 # The disk image has Debian 12, so only that guest also runs test-image.
-## test/test-vm: Run the kiosk in QEMU; GUEST=bookworm|trixie|arm64, IMAGE=no: without a disk
+## test/test-vm: Run the kiosk in QEMU; GUEST=bookworm|trixie|arm64, IMAGE=no: no disk
 test-vm:
 	@tests/vm/ready.sh $(GUEST); case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	$(MAKE) --no-print-directory -j$(JOBS) build $(BUILD)/kingyo-poi $(VM_BIN) && \
