@@ -6,6 +6,8 @@ VM_BIN := $(BUILD)/tests/vm/scoop_planner $(BUILD)/tests/vm/state_writer $(BUILD
 VM_STATIC := $(BUILD)/tests/vm/watchdog_host $(BUILD)/tests/vm/as $(BUILD)/tests/vm/panel \
     $(BUILD)/tests/vm/image/hold
 VM_GUEST := $(VM_STATIC) $(BUILD)/tests/vm/lag
+# Release of the kernel of the disk image (board/image/root.sh).
+IMAGE_KERNEL := $(BUILD)/image/bookworm-amd64/kernel/release
 
 # The disk image has Debian 12, so only that guest also runs test-image.
 ## test/test-vm: Run the kiosk in QEMU; GUEST=bookworm|trixie|arm64, IMAGE=no: no disk
@@ -20,7 +22,7 @@ test-image:
 	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	$(MAKE) --no-print-directory BOARD=vm image && \
 	$(MAKE) --no-print-directory -j$(JOBS) vm-guest $(VM_BIN) && \
-	BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh && \
+	BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh $(IMAGE_KERNEL) && \
 	BUILD=$(BUILD) tests/vm/image/test-image.sh
 
 # The programs of the guest are those of the root of `make deb ARCH=arm64`. MACHINES=raspi3b or MACHINES=virt runs one.
@@ -49,7 +51,7 @@ test-update:
 	$(MAKE) --no-print-directory BOARD=$(or $(update_card),vm) UPDATE_KEY=$(BUILD)/vm/update.pub image && \
 	$(MAKE) --no-print-directory -j$(JOBS) BOARD=desktop vm-guest $(VM_BIN) $(BUILD)/tests/vm/image/cut && \
 	$(if $(update_card),BUILD=$(BUILD) board/deb/cross.sh arm64 vm-guest && BUILD=$(BUILD) tests/vm/board/modules.sh, \
-	    BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh) && \
+	    BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh $(IMAGE_KERNEL)) && \
 	BUILD=$(BUILD) CARD=$(update_card) COUNT=$(COUNT) SEED=$(SEED) tests/vm/image/test-update.sh
 
 ## test/test-kills: Cut the power of a virtual machine KILLS=50 times while coins fall
@@ -58,7 +60,7 @@ test-kills:
 	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	$(MAKE) --no-print-directory BOARD=vm image && \
 	$(MAKE) --no-print-directory -j$(JOBS) vm-guest $(VM_BIN) $(BUILD)/tests/vm/image/cut && \
-	BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh && \
+	BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh $(IMAGE_KERNEL) && \
 	BUILD=$(BUILD) KILLS=$(KILLS) tests/vm/image/kills.sh
 
 vm-guest: $(BUILD)/kingyo $(BUILD)/kingyoctl $(BUILD)/kingyo-poi $(VM_GUEST)
