@@ -19,16 +19,10 @@ if [ "$(id -u)" -ne 0 ]; then
     exit 1
 fi
 [ -z "$arch" ] || board/deb/emulate.sh "$arch" || exit 1
-top=$(mktemp -d /var/tmp/kingyo-deb-XXXXXX)
-root=$top/root
-finish() {
-    mountpoint -q "$root/proc" && umount "$root/proc"
-    rm -rf --one-file-system "$top"
-}
-trap finish EXIT
+. tests/fresh/root.sh deb
 tar=$build/fresh/deb-$release${arch:+-$arch}.tar
 libraries=libsdl2-2.0-0,libgles2,libegl1,libgl1-mesa-dri,libusb-1.0-0,libgpiod3,libsqlite3-0
-mkdir -p "$build/fresh" "$root"
+mkdir -p "$build/fresh"
 if [ -z "$(find "$tar" -mtime -7 2>/dev/null)" ]; then
     mapfile -t sources < <(board/debian_sources.sh "$release" test-deb)
     # mmdebstrap cannot see that the emulator works without the package arch-test.
@@ -37,20 +31,8 @@ if [ -z "$(find "$tar" -mtime -7 2>/dev/null)" ]; then
         ${arch:+--architectures="$arch" --skip=check/qemu} "$release" "$tar.new" "${sources[@]}" || exit 1
     mv "$tar.new" "$tar"
 fi
-tar -C "$root" -xf "$tar" --exclude='./dev/*' || exit 1
-mount -t proc proc "$root/proc" || exit 1 # systemd-tmpfiles reaches files through it.
+unpack_root "$tar" || exit 1
 
-count=0 failed=0
-check() { # TITLE COMMAND...
-    local title=$1
-    shift
-    count=$((count + 1))
-    if "$@" >"$top/output" 2>&1 </dev/null; then echo "ok $count - $title"; else
-        echo "not ok $count - $title"
-        sed 's/^/# /' "$top/output"
-        failed=1
-    fi
-}
 inside() { chroot "$root" env DEBIAN_FRONTEND=noninteractive PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C "$@"; }
 dpkg_inside() { inside dpkg --force-depends "$@"; }
 debs() { # VERSION: Makes both packages and copies them into the root.

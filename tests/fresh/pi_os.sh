@@ -13,15 +13,9 @@ board=${1:-rpi5}
 cd "$(dirname "$0")/../.." || exit 1
 build=$(realpath "${BUILD:-build}") page=board/cabinet/README.md
 board/deb/emulate.sh arm64 || exit 1
-top=$(mktemp -d /var/tmp/kingyo-pi-XXXXXX)
-root=$top/root
-finish() {
-    mountpoint -q "$root/proc" && umount "$root/proc"
-    rm -rf --one-file-system "$top"
-}
-trap finish EXIT
+. tests/fresh/root.sh pi
 tar=$build/fresh/pi-os.tar
-mkdir -p "$build/fresh" "$root"
+mkdir -p "$build/fresh"
 if [ -z "$(find "$tar" -mtime -7 2>/dev/null)" ]; then
     mapfile -t sources < <(board/debian_sources.sh trixie pi-os)
     mmdebstrap --quiet --format=tar --variant=minbase --aptopt='APT::Install-Recommends "false"' --architectures=arm64 --skip=check/qemu \
@@ -29,20 +23,8 @@ if [ -z "$(find "$tar" -mtime -7 2>/dev/null)" ]; then
         trixie "$tar.new" "${sources[@]}" || exit 1
     mv "$tar.new" "$tar"
 fi
-tar -C "$root" -xf "$tar" --exclude='./dev/*' || exit 1
-mount -t proc proc "$root/proc" || exit 1
+unpack_root "$tar" || exit 1
 
-count=0 failed=0
-check() { # TITLE COMMAND...
-    local title=$1
-    shift
-    count=$((count + 1))
-    if "$@" >"$top/output" 2>&1 </dev/null; then echo "ok $count - $title"; else
-        echo "not ok $count - $title"
-        sed 's/^/# /' "$top/output"
-        failed=1
-    fi
-}
 inside() { # COMMAND...: runs in the user's folder of the root, with programs that record their arguments first in the path
     chroot "$root" env -C /home/pi DEBIAN_FRONTEND=noninteractive PATH=/home/recorders:/usr/sbin:/usr/bin LC_ALL=C.UTF-8 "$@"
 }
