@@ -43,7 +43,7 @@ static void present_view(struct kiosk *kiosk, const struct hal *hal)
                            kiosk->output.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
     const uint8_t phase = kiosk->output.phase;
     const bool is_turned = kiosk->input.is_turned != 0;
-    struct view view = is_turned ? kiosk->scene.turned_view : kiosk->scene.view;
+    struct view view = is_turned ? kiosk->scene.turned_view : kiosk->rest_view;
     output_camera_step(&kiosk->camera, &kiosk->dimmer, &kiosk->scene, is_turned, &view);
     kiosk->scene.view = view;
     /* Devices use the player's axes. */
@@ -90,6 +90,7 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
         session_recorder_begin(config->sessions, &kiosk->core);
     }
     core_scene(&kiosk->core, &kiosk->scene);
+    kiosk->rest_view = kiosk->scene.view;
     present_view(kiosk, hal);
     return CORE_OK;
 }
@@ -391,6 +392,9 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     const uint64_t core_begin_ns = hal_now_ns(stopwatch);
     const uint32_t tick_count = run_ticks(kiosk, tick_due);
     complete_scene(kiosk, hal, tick_count);
+    if (tick_count > 0) {
+        kiosk->rest_view = kiosk->scene.view;
+    }
     kiosk->core_ns += hal_now_ns(stopwatch) - core_begin_ns;
     present_view(kiosk, hal);
     if (tick_count > 0) {

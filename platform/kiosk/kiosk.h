@@ -103,6 +103,9 @@ struct kiosk {
      * pointer. */
     bool scoops;
     struct view view; /* Camera view that was last sent to the display and the pois. */
+    /* View of the camera at rest, from the last frame with ticks. The scene has the view of the
+     * moving camera, also in frames without ticks. */
+    struct view rest_view;
     /* Display settings (rotation, margins, brightness) that were last sent to the display and the
      * pois. */
     struct display_settings display_settings;

@@ -286,7 +286,10 @@ void output_camera_step(struct output_camera *camera, const struct output_dimmer
     const uint32_t ticks = scene->tick - camera->seen_tick;
     const float step =
         (float)(ticks < CORE_TICK_HZ ? ticks : 0u) * CORE_TICK_S * (1.0f / CAMERA_MOVE_S);
-    const float idle_s = (float)(dimmer->seen_ns - dimmer->touched_ns) * 1e-9f;
+    /* `seen_ns` is rounded down to a millisecond, so that it may be before `touched_ns`. */
+    const uint64_t idle_ns =
+        dimmer->seen_ns > dimmer->touched_ns ? dimmer->seen_ns - dimmer->touched_ns : 0;
+    const float idle_s = (float)idle_ns * 1e-9f;
     const bool is_idle = scene->phase == PHASE_ATTRACT && idle_s >= CAMERA_IDLE_S;
     camera->seen_tick = scene->tick;
     notice_catch(camera, scene, is_idle);

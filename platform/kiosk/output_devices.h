@@ -75,11 +75,6 @@ uint32_t output_lines_are_done(const struct output_lines *switches,
 #define DIMMER_NIGHT_IDLE_S 60u
 /* Distance in metres that a poi must move to count as input. Shorter movements may be sensor
  * noise. */
-/* Time in seconds without a touch after which the camera begins to drift in attract mode, time in
- * seconds that it takes to reach a place, and time in seconds that it stays close to a fish. */
-#define CAMERA_IDLE_S 10.0f
-#define CAMERA_MOVE_S 1.5f
-#define CAMERA_CLOSE_S 4.0f
 #define DIMMER_STIR_M 0.03f
 /* Maximum shift of the picture in each direction, as a fraction of the picture height. The shift is
  * 4 pixels at a height of 720 pixels, and 6 pixels at a height of 1080 pixels. */
@@ -110,6 +105,12 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
                                            const struct settings *settings,
                                            const struct input *input, bool is_attract,
                                            uint64_t now_ns);
+
+/* Seconds without a touch after which the camera begins to drift in attract mode, seconds in which
+ * the camera reaches a place, and seconds for which the camera shows a fish closely. */
+#define CAMERA_IDLE_S 10.0f
+#define CAMERA_MOVE_S 1.5f
+#define CAMERA_CLOSE_S 4.0f
 
 /* Motion of the camera in attract mode. All zero: the camera rests. */
 struct output_camera {

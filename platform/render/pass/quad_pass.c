@@ -240,11 +240,12 @@ static bool fly(const struct scene *scene, const struct scene_splash *splash, ui
         return true;
     }
     const bool is_in_tank = splash->position_m.y == 0.0f;
+    /* bowl_pass_cap() hides what is lower than 1 mm in a bowl, whose water is about that low. */
+    const float ring_m = is_in_tank ? 0.0006f : 0.0016f;
     const vec3 away = v3_sub(at, splash->position_m);
-    *out =
-        (struct quad_drop){ { at.x, at.y + 0.0006f, at.z, SPRAY_RING_M + SPRAY_RING_M_S * ring_s },
-                            0.0f,
-                            1.0f - ring_s / SPRAY_RING_S };
+    *out = (struct quad_drop){ { at.x, ring_m, at.z, SPRAY_RING_M + SPRAY_RING_M_S * ring_s },
+                               0.0f,
+                               1.0f - ring_s / SPRAY_RING_S };
     return is_in_tank ? f_abs(at.x) < 0.5f * scene->tank_size_m.x &&
                             f_abs(at.z) < 0.5f * scene->tank_size_m.z
                       : v3_length(away) < SPRAY_BOWL_M;

@@ -5,7 +5,7 @@
  * other work. Any other species is uploaded at first use, into the least recently used of the
  * remaining cache slots. A fish texture is first painted coarsely. The following frames paint the
  * texture finely, for a limited time in each frame. All memory is reserved when the pass opens:
- * about 0.2 MiB in struct specimen_pass and 37 MiB of textures. */
+ * about 0.2 MiB in struct specimen_pass and 45 MiB of textures. */
 #pragma once
 
 #include "platform/render/fish_mesh.h"
@@ -13,9 +13,10 @@
 #include "platform/render/specimen.h"
 #include "platform/render/textures.h"
 
-/* Number of cache slots for species that are not built in. One slot is for the comparison fish of
- * the growth lab (the kiosk's page about the growth of fish), and one is for one more species. */
-#define SPECIMEN_OTHERS 2u
+/* Number of cache slots for species that are not in the table of built-in species. Two slots are
+ * for the varieties of the goldfish in the album, one is for the comparison fish of the growth lab
+ * (the kiosk's page about the growth of fish), and one is for one more species. */
+#define SPECIMEN_OTHERS 4u
 #define SPECIMEN_SLOTS (SPECIES_BUILT_IN + SPECIMEN_OTHERS)
 
 /* clang-format off */

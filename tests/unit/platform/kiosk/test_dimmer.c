@@ -254,6 +254,20 @@ static void test_the_camera_shows_a_landed_fish_closely_for_a_moment(void **stat
     assert_true(way_m(&view) < 0.06f);
 }
 
+static void test_the_camera_returns_in_the_frame_of_a_touch(void **state)
+{
+    (void)state;
+    struct view view = rest;
+    scene.phase = PHASE_ATTRACT;
+    camera = (struct output_camera){ .drift = 0.5f, .seen_tick = scene.tick };
+    /* The time of the frame is rounded down to a millisecond, and the time of the touch is not. */
+    dimmer.seen_ns = 20u * NS_PER_S;
+    dimmer.touched_ns = dimmer.seen_ns + 400000u;
+    scene.tick += 2;
+    output_camera_step(&camera, &dimmer, &scene, false, &view);
+    assert_true(camera.drift < 0.5f);
+}
+
 static void test_the_camera_rests_in_a_game(void **state)
 {
     (void)state;
@@ -282,6 +296,7 @@ int main(void)
         TEST(test_static_elements_do_not_shift_while_the_player_aims),
         TEST(test_the_camera_drifts_only_after_ten_idle_seconds),
         TEST(test_the_camera_shows_a_landed_fish_closely_for_a_moment),
+        TEST(test_the_camera_returns_in_the_frame_of_a_touch),
         TEST(test_the_camera_rests_in_a_game),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
