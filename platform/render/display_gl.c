@@ -110,6 +110,12 @@ static int create_window(struct display_gl *display)
     return HAL_OK;
 }
 
+/* Draws the next artificial picture. Returns true on success. */
+static bool draw_warm_up(struct display_gl *display)
+{
+    return renderer_warm_up(&display->renderer, &display->shown, display->warm_ups++) == HAL_OK;
+}
+
 static int create_context(struct display_gl *display)
 {
     display->context = SDL_GL_CreateContext(display->window);
@@ -130,10 +136,15 @@ static int create_context(struct display_gl *display)
         .samples = display->config.samples,
         .library = display->config.library,
     };
+    bool is_good = renderer_open(&display->renderer, &wanted) == HAL_OK;
     /* A single picture needs only few of the programs. */
-    if (renderer_open(&display->renderer, &wanted) != HAL_OK ||
-        (!display->config.off_screen &&
-         renderer_warm_up(&display->renderer, &display->shown) != HAL_OK)) {
+    display->warm_ups = display->config.off_screen ? RENDERER_WARM_UPS : 0;
+    /* The watchdog waits long for the first frame, but not for later frames. If the game already
+     * runs, each of the next frames draws one artificial picture. */
+    while (is_good && !display->has_frames && display->warm_ups < RENDERER_WARM_UPS) {
+        is_good = draw_warm_up(display);
+    }
+    if (!is_good) {
         return display_gl_fail(display, "renderer", display->renderer.status.text);
     }
     if (display->is_placed) {
@@ -292,12 +303,17 @@ static int follow_size(struct display_gl *display)
 static int display_present(void *self, const struct scene *scene)
 {
     struct display_gl *const display = self;
+    display->has_frames = true;
     if (display->lost || !display->context) {
         return HAL_ERR_GONE;
     }
     const int error = follow_size(display);
     if (error != HAL_OK) {
         return error;
+    }
+    if (display->warm_ups < RENDERER_WARM_UPS && !draw_warm_up(display)) {
+        display->lost = true;
+        return display_gl_fail(display, "frame", display->renderer.status.text);
     }
     display->shown = *scene;
     display->has_shown = true;

@@ -58,6 +58,9 @@ struct display_gl {
     bool broken;
     /* True if SDL draws directly on the graphics card because no window system runs. */
     bool is_bare;
+    /* True after the first frame of the game, which may have found no screen. */
+    bool has_frames;
+    uint32_t warm_ups; /* Number of artificial pictures that were drawn (renderer_warm_up()). */
     struct connectors plugged; /* Connectors that had a screen when the display was opened. */
     /* Time of the last read of the connectors, in ns of the monotonic clock. */
     uint64_t connectors_read_ns;

@@ -96,11 +96,13 @@ struct renderer {
 int renderer_open(struct renderer *renderer, const struct renderer_config *config);
 void renderer_close(struct renderer *renderer);
 
-/* Draws with every shader program once, so that the driver compiles the programs now and not in a
- * frame of the game. Overwrites `scratch` and the picture. Must be called after renderer_open() and
- * before the first picture is shown. Returns HAL_OK, or HAL_ERR_GONE on failure. After a failure,
- * `status` contains the reason. */
-int renderer_warm_up(struct renderer *renderer, struct scene *scratch);
+/* Number of artificial pictures in which every shader program is used. */
+#define RENDERER_WARM_UPS 6u
+
+/* Draws one of the artificial pictures, so that the driver compiles the programs now and not in a
+ * frame of the game. Overwrites `scratch` and the picture. Returns HAL_OK, or HAL_ERR_GONE on
+ * failure. After a failure, `status` contains the reason. */
+int renderer_warm_up(struct renderer *renderer, struct scene *scratch, uint32_t picture);
 
 /* Adapts the render targets to the window size. Does nothing if the size did not change. Returns
  * HAL_ERR_GONE if the new targets cannot be created. */

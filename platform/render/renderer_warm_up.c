@@ -11,6 +11,9 @@
 /* Quality steps whose pictures are drawn. At the last step, the objects above the water have a
  * render target of their own, because the picture is smaller than the screen. */
 static const uint32_t warm_steps[2] = { QUALITY_STEP_MAX, 0 };
+#define WARM_KINDS 3u /* Number of pictures at each step. */
+_Static_assert(RENDERER_WARM_UPS == WARM_KINDS * sizeof warm_steps / sizeof *warm_steps,
+               "every picture is drawn");
 
 #define WARM_FISH 4u
 
@@ -97,22 +100,21 @@ static void draw_page(struct renderer *renderer)
     ui_show(&renderer->ui, &renderer->specimens, &renderer->transform);
 }
 
-int renderer_warm_up(struct renderer *renderer, struct scene *scratch)
+int renderer_warm_up(struct renderer *renderer, struct scene *scratch, uint32_t picture)
 {
-    CORE_ASSERT(renderer->step == 0);
+    CORE_ASSERT(picture < RENDERER_WARM_UPS);
     const struct ui_memory memory = renderer->ui.memory;
     const float light = renderer->transform.light;
-    int error = HAL_OK;
-    for (uint32_t i = 0; i < sizeof warm_steps / sizeof *warm_steps && error == HAL_OK; i++) {
-        error = renderer_lower(renderer, warm_steps[i]);
+    const uint32_t step = renderer->step, kind = picture % WARM_KINDS;
+    int error = renderer_lower(renderer, warm_steps[picture / WARM_KINDS]);
+    if (error == HAL_OK) {
         renderer->transform.light = 0.5f; /* A second program darkens the picture. */
         /* The pois are in the water, then above it. In the third picture the camera has moved. */
-        for (uint32_t picture = 0; picture < 3 && error == HAL_OK; picture++) {
-            fill_scene(scratch, picture == 1 ? 0.05f : 0.0f);
-            scratch->view.eye_m.x = picture == 2 ? 0.01f : 0.0f;
-            renderer_draw(renderer, scratch);
-        }
+        fill_scene(scratch, kind == 1 ? 0.05f : 0.0f);
+        scratch->view.eye_m.x = kind == 2 ? 0.01f : 0.0f;
+        renderer_draw(renderer, scratch);
         draw_page(renderer);
+        error = renderer_lower(renderer, step);
     }
     renderer->transform.light = light;
     renderer->ui.memory = memory;
