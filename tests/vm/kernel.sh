@@ -6,7 +6,14 @@
 # shellcheck disable=SC2154,SC1091  # lib.sh sets these variables
 . "$(dirname "$0")/lib.sh"
 
-release=$(kernel_release)
+# A disk image is booted with this kernel, so that the kernel must be that of the image. Debian may publish a kernel between
+# the two downloads. IMAGE_KERNEL is the file with the release of the image's kernel.
+if [ -n "${IMAGE_KERNEL:-}" ]; then
+    release=$(cat "$IMAGE_KERNEL")
+    guest_apt apt-cache show "linux-headers-$release" >/dev/null 2>&1 || rm -f "$cache/apt/updated"
+else
+    release=$(kernel_release)
+fi
 [ -n "$release" ] || { echo "test-vm: no linux-image-$arch in $suite" >&2; exit 1; }
 kernel=$cache/kernel
 made_of="$release $(cat "$0" "$here"/modules/*.c | cksum)"
@@ -16,7 +23,10 @@ rm -rf "$kernel" "$cache/debs"
 mkdir -p "$kernel" "$cache/debs"
 common=linux-headers-${release%"-$arch"}-common
 (cd "$cache/debs" && guest_apt apt-get -qq download "linux-image-$release" "linux-headers-$release" \
-    "$common" "linux-source-$linux" 2>/dev/null)
+    "$common" "linux-source-$linux" 2>/dev/null) || {
+    echo "test-vm: Debian has no packages of the kernel $release; remove ${IMAGE_KERNEL:+$(dirname "$(dirname "$IMAGE_KERNEL")") and }$cache/apt, and run the test again" >&2
+    exit 1
+}
 dpkg-deb --fsys-tarfile "$cache"/debs/linux-image-*.deb | tar -x -C "$kernel"
 settle_modules() { # The modules are in /lib or, from Debian 13 on, in /usr/lib.
     [ -d "$kernel/lib/modules" ] || { mkdir -p "$kernel/lib"; mv "$kernel/usr/lib/modules" "$kernel/lib/"; }

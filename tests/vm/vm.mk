@@ -22,7 +22,7 @@ test-image:
 	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	$(MAKE) --no-print-directory BOARD=vm image && \
 	$(MAKE) --no-print-directory -j$(JOBS) vm-guest $(VM_BIN) && \
-	BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh $(IMAGE_KERNEL) && \
+	BUILD=$(BUILD) GUEST=bookworm IMAGE_KERNEL=$(IMAGE_KERNEL) tests/vm/prepare.sh && \
 	BUILD=$(BUILD) tests/vm/image/test-image.sh
 
 # The programs of the guest are those of the root of `make deb ARCH=arm64`. MACHINES=raspi3b or MACHINES=virt runs one.
@@ -51,7 +51,7 @@ test-update:
 	$(MAKE) --no-print-directory BOARD=$(or $(update_card),vm) UPDATE_KEY=$(BUILD)/vm/update.pub image && \
 	$(MAKE) --no-print-directory -j$(JOBS) BOARD=desktop vm-guest $(VM_BIN) $(BUILD)/tests/vm/image/cut && \
 	$(if $(update_card),BUILD=$(BUILD) board/deb/cross.sh arm64 vm-guest && BUILD=$(BUILD) tests/vm/board/modules.sh, \
-	    BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh $(IMAGE_KERNEL)) && \
+	    BUILD=$(BUILD) GUEST=bookworm IMAGE_KERNEL=$(IMAGE_KERNEL) tests/vm/prepare.sh) && \
 	BUILD=$(BUILD) CARD=$(update_card) COUNT=$(COUNT) SEED=$(SEED) tests/vm/image/test-update.sh
 
 ## test/test-kills: Cut the power of a virtual machine KILLS=50 times while coins fall
@@ -60,7 +60,7 @@ test-kills:
 	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	$(MAKE) --no-print-directory BOARD=vm image && \
 	$(MAKE) --no-print-directory -j$(JOBS) vm-guest $(VM_BIN) $(BUILD)/tests/vm/image/cut && \
-	BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh $(IMAGE_KERNEL) && \
+	BUILD=$(BUILD) GUEST=bookworm IMAGE_KERNEL=$(IMAGE_KERNEL) tests/vm/prepare.sh && \
 	BUILD=$(BUILD) KILLS=$(KILLS) tests/vm/image/kills.sh
 
 vm-guest: $(BUILD)/kingyo $(BUILD)/kingyoctl $(BUILD)/kingyo-poi $(VM_GUEST)

@@ -108,7 +108,7 @@ static void test_reflections_of_lanterns_are_small_and_nearly_white(void **state
         }
     }
     assert_true(warm > 0 && warm < count / 20u);
-    assert_true(hottest > 200u && 10u * hottest > 9u * blue);
+    assert_true(hottest > 200u && 10u * blue > 9u * hottest);
 }
 
 /* Returns the sum of one colour channel over the 5 x 5 pixels in the middle of the picture. */

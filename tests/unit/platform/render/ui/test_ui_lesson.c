@@ -101,13 +101,15 @@ static void test_the_arrow_runs_from_the_poi_to_the_bowl(void **state)
                                                           quads each, and the ring is another
                                                           quad. */
         assert_int_equal(rings_at(bowl), 1);
-        /* Counts the panels between the poi and the bowl, where only the arrow is drawn. */
+        /* Counts the panels between the poi and the bowl, where only the arrow is drawn. A chevron
+         * is at most 32 units wide to each side. */
+        const float unit = fminf(sizes[i].height / 720.0f, sizes[i].width / 860.0f);
         uint32_t between = 0;
         for (uint32_t k = 0; k < batch.quad_count; k++) {
             const struct bounds b = bounds_of(k);
             between += batch.kinds[k] == UI_PANEL && b.left > poi.x && b.right < bowl.x &&
-                       b.top > fminf(poi.y, bowl.y) - 45.0f * poi.px_per_m * 0.001f &&
-                       b.bottom < fmaxf(poi.y, bowl.y) + 45.0f * poi.px_per_m * 0.001f;
+                       b.top > fminf(poi.y, bowl.y) - 32.0f * unit &&
+                       b.bottom < fmaxf(poi.y, bowl.y) + 32.0f * unit;
         }
         assert_true(between >= 8u);
     }
