@@ -1,6 +1,5 @@
 // The paper of a poi, a disc that sags under its load. Worn paper sags deeper, and the paper around
-// holes hangs down. The light that changes little between two
-// vertices is computed here.
+// holes hangs down. The light that changes little between two vertices is computed here.
 layout(location = 0) in vec2 position;  // Position in ring radii. y increases toward the handle.
 uniform mat4 pose;
 uniform vec4 paper;                     // x: sag in ring radii. y: layer of `sheet`.

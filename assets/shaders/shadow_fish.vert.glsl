@@ -27,6 +27,10 @@ void main()
     strength = min(place.w * 0.115 / half_breadth * 1.35, 0.85);
 #ifdef IN_BOWL
     gl_Position = view_projection * vec4(at.x, place.y - height, at.y, 1.0);
+    // The shadow has the depth of a place above the fish, so that the curved floor of the bowl does
+    // not hide the shadow, and a hand above the bowl does.
+    vec4 above = view_projection * vec4(at.x, place.y + 0.012, at.y, 1.0);
+    gl_Position.z = above.z / above.w * gl_Position.w;
 #else
     gl_Position = vec4(at * shadow.xy, 0.0, 1.0);
 #endif

@@ -1,5 +1,6 @@
-// SCRAP: a scrap of wet paper with a torn edge. Otherwise a drop, transparent with a bright lower rim and a reflection of the lamp, or a ring of one wave
-// crest, whose slopes toward the lamp are bright.
+// The variant SCRAP draws a scrap of wet paper with a torn edge. The other variant draws drops and
+// rings. A drop is transparent, with a bright lower rim and a reflection of the lamp. A ring is one
+// wave crest, and its slopes toward the lamp are bright.
 in vec3 corner;     // As in spray.vert.glsl.
 in vec3 paper;
 out vec4 color;

@@ -32,8 +32,9 @@ struct world {
     struct splashes splashes;
 };
 
-/* Adds a splash at the height of the water at `at_m` to `splashes`. The number of drops increases
- * with the speed of `push_m_s`, from none at SPLASH_FROM_M_S to `drops_max` at SPLASH_FULL_M_S. */
+/* Adds a splash to `splashes`. `at_m` is its place on the surface of the water. The number of drops
+ * increases with the speed of `push_m_s`, from none at SPLASH_FROM_M_S to `drops_max` at
+ * SPLASH_FULL_M_S. */
 void surface_splash(struct splashes *splashes, vec3 at_m, vec3 push_m_s, float radius_m,
                     uint8_t drops_max, uint32_t tick);
 /* Adds the splash of a poi whose ring enters or leaves the water in this tick. */
@@ -41,10 +42,12 @@ void surface_splash_poi(struct splashes *splashes, const struct poi *poi, uint32
 /* Adds a scrap of paper at a hole of the poi's sheet if the sheet tore in this tick. Adds at most
  * one scrap in SPLASH_SCRAP_TICKS. */
 void surface_splash_scrap(struct splashes *splashes, const struct poi *poi, uint32_t tick);
-/* Writes the scraps, and the splashes of the last SCENE_SPLASH_S before `tick` to `scene`. */
+/* Writes the splashes of the last SCENE_SPLASH_S and the scraps of the last SCENE_SCRAP_S before
+ * `tick` to `scene`. */
 void surface_splash_show(const struct splashes *splashes, uint32_t tick, struct scene *scene);
 
 #define SPLASH_SCRAP_TICKS 16u
-/* Speeds of a body, in m/s, at which its splash begins to throw drops and throws most of them. */
+/* Speeds of a body, in m/s, from which its splash has drops, and from which the splash has its
+ * largest number of drops. */
 #define SPLASH_FROM_M_S 0.08f
 #define SPLASH_FULL_M_S 0.7f

@@ -8,9 +8,9 @@
 #include "platform/render/textures.h"
 
 /* Number of parts with a shader program of their own: the floor, the walls, the water surface, the
- * edge of the water surface, the counter, the sides of the rim, the street behind the
- * stall, the top of the rim, the reflections
- * on the water, and the picture of the counter and the rim without and with the shades of fans. */
+ * edge of the water surface, the counter, the sides of the rim, the street behind the stall, the
+ * top of the rim, the reflections on the water, and the picture of the counter and the rim without
+ * and with the shades of fans. */
 #define BASIN_PARTS 11u
 
 struct basin_pass {

@@ -30,5 +30,6 @@ void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl
                      GLuint environment);
 /* Writes a depth just above the tank's water surface where the viewer looks into the bowl's mouth.
  * Must be called after the contents of the bowl and before the tank's water surface are drawn. The
- * tank's water then does not cover the contents, although they are deeper. */
+ * tank's water then does not cover the contents, although the contents are lower than this
+ * water. */
 void bowl_pass_cap(const struct bowl_pass *pass, const struct scene_bowl *bowl);

@@ -292,10 +292,8 @@ void fish_pass_rings(const struct fish_pass *pass)
 
 void fish_pass_bowl_shadows(const struct fish_pass *pass)
 {
-    glDisable(GL_DEPTH_TEST); /* A shadow lies on the curved floor of the bowl. */
     draw_quads(pass, pass->bowl_shadow_program, pass->first[FISH_IN_BOWL],
                pass->count[FISH_IN_BOWL]);
-    glEnable(GL_DEPTH_TEST);
 }
 
 GLsizei fish_pass_shadow_casters(const struct fish_pass *pass)

@@ -55,7 +55,7 @@ static const struct bone bones[] = {
 #define BLEND 0.10f /* Width of the smooth transition between two bones. */
 #define STEPS_MAX 12u
 #define INSIDE 0.02f /* Depth from which a vertex is hidden inside the hand. */
-/* Value of 1 at the tip of a finger, where its last rows begin, is 1 / TIP_FROM. */
+/* The rows of a finger whose `v` is above 1 / TIP_FROM close its tip. */
 #define TIP_FROM 1.25f
 
 #define FINGER_COLUMNS 7u

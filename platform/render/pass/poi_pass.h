@@ -51,7 +51,7 @@ struct poi_pass {
 /* Writes the pose of a poi or of another object to `out` as a column-major matrix. `scale` (> 0) is
  * the length in metres of one unit along each axis of the object. */
 void poi_pose(float out[16], vec3 position_m, struct angles angles, float scale);
-/* Does the same for an object with the axes `axes`. */
+/* Writes the pose of an object with the axes `axes` to `out`, as poi_pose() does. */
 void poi_pose_of_axes(float out[16], vec3 position_m, const struct basis *axes, float scale);
 
 /* Returns the colour of player `owner` (red, green, blue). The fourth value is the number of white
