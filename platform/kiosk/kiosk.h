@@ -80,6 +80,7 @@ struct saving {
     uint32_t refused_seen; /* Number of failed writes that were already counted as faults. */
     /* Time until which no data are passed to the store, because a previous attempt failed. */
     uint64_t retry_ns;
+    bool is_offline; /* True if an entry settled because no store exists. */
 };
 
 struct kiosk {

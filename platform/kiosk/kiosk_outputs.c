@@ -54,6 +54,7 @@ static uint32_t put_in_store(struct saving *saving, const struct hal_storage *st
         saving->accepted_id += behind > LEDGER_RING ? behind - LEDGER_RING : 0u;
         const uint32_t place = (saving->accepted_id + 1u) % LEDGER_RING;
         result = ledger->ops->append(ledger->self, &output->entries[place]);
+        saving->is_offline |= result == HAL_ERR_ABSENT;
         is_accepted = output_is_settled(result, now_ns, &saving->retry_ns);
         saving->accepted_id += is_accepted;
         faults += (uint32_t)hal_is_fault(result);
@@ -141,6 +142,7 @@ uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal)
     CORE_ASSERT(hal->storage.ledger.ops);
     const struct hal_ledger *ledger = &hal->storage.ledger;
     const bool is_replay = kiosk->config.source.next != NULL;
+    const bool is_offline = !is_replay && kiosk->saving.is_offline;
     const uint32_t waiting = is_replay ? 0 : kiosk->output.entry_id - kiosk->saving.accepted_id;
     /* Adds a last health entry, which contains the uptime, to the ledger when the program ends
      * without an error. Adds no entry while other entries wait for the store. */
@@ -148,7 +150,12 @@ uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal)
     if (!is_replay && waiting == 0 && core_final_entry(&kiosk->core, &kiosk->input, &entry)) {
         ledger->ops->append(ledger->self, &entry);
     }
+    /* Starts a transfer, because the store may be available when it closes. */
+    if (is_offline) {
+        offline_flush_step(&kiosk->late, ledger, &kiosk->core);
+    }
     const uint32_t unwritten = ledger->ops->close(ledger->self);
     kiosk_count_refused(kiosk, hal);
-    return unwritten + waiting;
+    return unwritten + waiting +
+           (is_offline ? offline_flush_missing(&kiosk->late, ledger, &kiosk->core) : 0u);
 }

@@ -66,23 +66,22 @@ static void add_credits(struct batch *batch)
     }
 }
 
-bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *store,
-                        const struct core *core)
+/* Marks the last transfer as stored if the store has written it. */
+static void note_stored(struct offline_flush *flush, const struct hal_ledger *store)
 {
-    struct batch batch = { .status = core_status(core),
-                           .audits = core_audits(core),
-                           .stored = &flush->stored };
-    /* The store has written the last transfer, so the amounts of this transfer now count as
-     * stored. */
     if (flush->is_sending && store->ops->offline_merged(store->self) == HAL_OK) {
         flush->stored = flush->sent;
         flush->stored_balance = flush->sent_balance;
         flush->is_sending = false;
     }
-    if (flush->is_sending) {
-        return false;
-    }
-    const struct balance_change step = { flush->stored_balance, batch.status.balance };
+}
+
+/* Returns entries with the amounts that are not yet on disk. */
+static struct batch unflushed_batch(const struct offline_flush *flush, const struct core *core)
+{
+    struct batch batch = { .status = core_status(core),
+                           .audits = core_audits(core),
+                           .stored = &flush->stored };
     /* Adds one entry for each coin line that received coins. The audits contain only the total
      * value of all coins, not the value for each coin line. Therefore the first entry gets the
      * total value, and the other entries get 0. */
@@ -102,6 +101,26 @@ bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *st
         add_entry(&batch, LEDGER_ROUND, 0, 0, count);
         batch.entries[batch.count - 1u].round.unscored = 1;
     }
+    return batch;
+}
+
+uint32_t offline_flush_missing(struct offline_flush *flush, const struct hal_ledger *store,
+                               const struct core *core)
+{
+    CORE_ASSERT(flush && store->ops);
+    note_stored(flush, store);
+    return unflushed_batch(flush, core).count;
+}
+
+bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *store,
+                        const struct core *core)
+{
+    note_stored(flush, store);
+    if (flush->is_sending) {
+        return false;
+    }
+    struct batch batch = unflushed_batch(flush, core);
+    const struct balance_change step = { flush->stored_balance, batch.status.balance };
     if (batch.count == 0 && step.from.units == step.to.units &&
         step.from.bonus_units == step.to.bonus_units && step.from.paid == step.to.paid &&
         step.from.service == step.to.service && step.from.unlogged == step.to.unlogged &&

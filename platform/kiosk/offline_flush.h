@@ -30,3 +30,9 @@ struct offline_flush {
  * frame. */
 bool offline_flush_step(struct offline_flush *flush, const struct hal_ledger *store,
                         const struct core *core);
+
+/* Returns the number of ledger entries with coins, credits and tickets that are not on disk. Call
+ * after the store was closed, which writes a started transfer. The number is 0 if only the balance
+ * differs. It counts at most 16 entries. */
+uint32_t offline_flush_missing(struct offline_flush *flush, const struct hal_ledger *store,
+                               const struct core *core);

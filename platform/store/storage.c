@@ -71,8 +71,7 @@ static const char *storage_describe(void *self)
     const unsigned number = atomic_load(&storage->quarantined);
     if (!atomic_load(&storage->has_file)) {
         if (error == LEDGER_FILE_FOREIGN) {
-            set_text(storage, "no store", "the card is there now, and not empty",
-                     "the kiosk restarts when idle");
+            set_text(storage, "no store", "the card is there now", "the kiosk restarts when idle");
         }
         return storage->text[0] ? storage->text : "no store: not opened";
     }
@@ -275,13 +274,15 @@ static uint32_t storage_close(void *self)
      * failed writes once. */
     storage_work(storage);
     storage_save_deleted(storage);
-    /* Counts the entries that are not in the database. An entry that is missing only in the mirror
-     * is not lost. */
+    /* Counts the entries that are not in the database, and all waiting entries if the log of the
+     * database may not be on disk, because the kernel's cache may hold the only copy of an entry
+     * that reads back. An entry that is missing only in the mirror is not lost. */
     const unsigned pushed = atomic_load(&storage->pushed);
     uint32_t unsaved = 0;
     for (unsigned i = atomic_load(&storage->written); i != pushed; i++) {
         unsaved +=
-            !storage->file.db || storage->file.refusal || storage->moved ||
+            !storage->file.db || storage->file.refusal || storage->file.is_suspect ||
+            storage->moved ||
             storage->queue[i % STORAGE_QUEUE_MAX].id > storage->file.content.memory.ledger.last_id;
     }
     const uint32_t lost_edits = storage_unwritten_edits(storage);

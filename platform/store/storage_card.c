@@ -200,6 +200,35 @@ void storage_unlock(struct storage *storage)
     }
 }
 
+/* Returns true if the kiosk must restart before it may use the open database.
+ *
+ * This is the case for a database that appears after a program start without a database, because
+ * the core did not start from it. It is also the case for a foreign ledger, for example from
+ * another memory card. A database with fewer entries, for example on a new card, is accepted. A
+ * database whose newest entries are still in the queue is accepted too, because a write that
+ * reported an error may have succeeded. */
+static bool is_foreign(struct storage *storage)
+{
+    CORE_ASSERT(storage->file.db);
+    const unsigned pushed = atomic_load(&storage->pushed);
+    const uint32_t saved_id = atomic_load(&storage->saved_id);
+    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
+    const uint32_t newest_id = storage_unwritten(storage) > 0
+                                   ? storage->queue[(pushed - 1u) % STORAGE_QUEUE_MAX].id
+                                   : saved_id;
+    struct ledger_entry entry;
+    if (!storage->start.has_read) {
+        return true;
+    }
+    if (last_id == 0 || last_id < saved_id) {
+        return false;
+    }
+    return last_id > newest_id ||
+           (saved_id > 0 &&
+            (ledger_file_entry(&storage->file, saved_id, &entry) != SQLITE_OK ||
+             entry.boot != storage->saved_boot || entry.tick != storage->saved_tick));
+}
+
 /* Opens the file at the database's path. Returns SQLITE_OK if the store may write the file,
  * otherwise the reason as an SQLite code or an error code of ledger_file.h. */
 static int probe(struct storage *storage)
@@ -212,24 +241,7 @@ static int probe(struct storage *storage)
         storage_unlock(storage);
         return LEDGER_FILE_MOVED;
     }
-    /* Rejects a foreign ledger. Such a ledger comes from another memory card, or from a card that
-     * was absent at program start. A database with fewer entries, for example on a new card, is
-     * accepted. A database whose newest entries are still in the queue is accepted too, because a
-     * write that reported an error may have succeeded. */
-    const unsigned pushed = atomic_load(&storage->pushed);
-    const uint32_t saved_id = atomic_load(&storage->saved_id);
-    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
-    const uint32_t newest_id = storage_unwritten(storage) > 0
-                                   ? storage->queue[(pushed - 1u) % STORAGE_QUEUE_MAX].id
-                                   : saved_id;
-    struct ledger_entry entry;
-    if (code == SQLITE_OK &&
-        (last_id < saved_id || last_id == 0
-             ? false
-             : last_id > newest_id ||
-                   (saved_id > 0 &&
-                    (ledger_file_entry(&storage->file, saved_id, &entry) != SQLITE_OK ||
-                     entry.boot != storage->saved_boot || entry.tick != storage->saved_tick)))) {
+    if (code == SQLITE_OK && is_foreign(storage)) {
         storage_apply_offline(storage);
         storage_close_file(storage);
         return LEDGER_FILE_FOREIGN;

@@ -117,9 +117,12 @@ void ui_start_ribbon(const struct ui_frame *frame, float y, enum text_key key)
     const float u = frame->unit, pulse = ui_pulse(frame->time_s, 2.4f);
     const struct scene_credit *const credit = &frame->scene->credit;
     const bool lacks_poi = credit->warnings & WARN_NO_POI, is_coin = credit->unpaid && !lacks_poi;
-    if (is_coin && credit->warnings != 0) {
+    const bool waits_for_store =
+        credit->coming > 0 && credit->credits == 0 && credit->warnings & WARN_STORE;
+    if ((is_coin && credit->warnings != 0) || waits_for_store) {
         /* While a warning is active, the coin slot returns inserted coins. Therefore the screen
-         * shows only the warning and no request for coins. */
+         * shows only the warning and no request for coins. Nor does the screen invite to start with
+         * credits that a failing store cannot make playable. */
         return;
     }
     /* `glow` is the strength with which the request for coins is emphasized. `glow` is 1 when a

@@ -292,6 +292,67 @@ static void test_offline_credits_are_kept_until_the_card_is_writable(void **stat
     assert_int_equal(PRICE * balance()->paid + balance()->units, 3);
 }
 
+/* Makes an empty data folder, as on a new memory card. */
+static void put_new_card(void)
+{
+    assert_int_equal(unlink(file), 0);
+}
+
+static void test_coins_from_before_a_new_card_enter_the_audits_of_the_new_card(void **state)
+{
+    (void)state;
+    begin();
+    frames(10);
+    drop_coins(0, PRICE);
+    drop_coins(1, 1);
+    frames(60);
+    put_new_card();
+    assert_int_equal(frames(200), KIOSK_RESTART);
+    end();
+    for (uint32_t start = 0; start < 2u; start++) {
+        begin();
+        frames(60);
+        assert_int_equal(rig.locked, 0);
+        assert_int_equal(audit(AUDIT_COINS_1), PRICE);
+        assert_int_equal(audit(AUDIT_COINS_2), 1);
+        assert_int_equal(audit(AUDIT_UNITS), PRICE * balance()->paid + balance()->units);
+        assert_int_equal(audit(AUDIT_CREDITS_PAID), balance()->paid);
+        end();
+    }
+}
+
+static void test_coins_that_no_store_accepted_are_reported_at_the_end(void **state)
+{
+    (void)state;
+    begin();
+    frames(60);
+    /* Without coins, a kiosk without a store loses no takings. */
+    assert_int_equal(kiosk_close_store(&rig.kiosk, &rig.hal), 0);
+    begin();
+    frames(10);
+    drop_coins(0, PRICE);
+    drop_coins(1, 1);
+    frames(60);
+    /* One entry for each of the two coin lines, and one for the credits. */
+    assert_int_equal(kiosk_close_store(&rig.kiosk, &rig.hal), 3);
+}
+
+/* The kiosk ends after the memory card is back, but before the kiosk is idle or the store has
+ * written the coins. */
+static void test_coins_are_transferred_when_the_kiosk_ends_before_it_restarts(void **state)
+{
+    (void)state;
+    begin();
+    frames(10);
+    drop_coins(0, 1);
+    put_card_back();
+    end();
+    begin();
+    frames(60);
+    assert_int_equal(audit(AUDIT_COINS_1), 2);
+    assert_int_equal(balance()->paid, 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -302,6 +363,12 @@ int main(void)
                                         set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_offline_credits_are_kept_until_the_card_is_writable,
                                         set_up, tear_down),
+        cmocka_unit_test_setup_teardown(
+            test_coins_from_before_a_new_card_enter_the_audits_of_the_new_card, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_coins_that_no_store_accepted_are_reported_at_the_end,
+                                        set_up, tear_down),
+        cmocka_unit_test_setup_teardown(
+            test_coins_are_transferred_when_the_kiosk_ends_before_it_restarts, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

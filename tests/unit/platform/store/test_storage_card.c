@@ -232,7 +232,9 @@ static void put_away(void)
     assert_int_equal(system(command), 0);
 }
 
-static void test_an_empty_card_inserted_late_is_used(void **state)
+/* The core counted entries that no store accepted, so a new database may not begin with the entries
+ * that follow them. */
+static void test_an_empty_card_inserted_late_is_used_after_a_restart(void **state)
 {
     (void)state;
     static struct persistent_state memory;
@@ -243,10 +245,15 @@ static void test_an_empty_card_inserted_late_is_used(void **state)
     assert_false(is_well());
     put_away();
     storage_work(&storage);
+    assert_true(device.ledger.ops->needs_restart(device.ledger.self));
+    assert_int_equal(keep(2), HAL_ERR_ABSENT);
+    device.ledger.ops->close(device.ledger.self);
+    storage = (struct storage){ .dir = dir, .without_thread = true };
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     assert_true(is_well());
-    assert_int_equal(keep(2), HAL_OK);
+    assert_int_equal(keep(1), HAL_OK);
     storage_work(&storage);
-    assert_int_equal(saved_id(), 2);
+    assert_int_equal(saved_id(), 1);
 }
 
 /* The card that is inserted late has a database with entries. The kiosk must not overwrite it, so
@@ -563,10 +570,7 @@ static void test_a_changed_file_is_retried_immediately(void **state)
     assert_int_equal(storage.retry_wait_ms, STORAGE_RETRY_MS_MAX);
     put_away(); /* An empty card is inserted in place of the unusable file. */
     storage_work(&storage);
-    assert_true(is_well());
-    assert_int_equal(keep(1), HAL_OK);
-    storage_work(&storage);
-    assert_int_equal(saved_id(), 1);
+    assert_true(device.ledger.ops->needs_restart(device.ledger.self));
 }
 
 /* ---- Tests of replays on a faulty card ------------------------------------------------------ */
@@ -685,7 +689,7 @@ int main(void)
         TEST(test_a_read_only_card_stores_the_queue_when_it_is_writable_again),
         TEST(test_no_frame_waits_for_a_slow_card),
         TEST(test_a_card_that_does_not_recover_is_reported),
-        TEST(test_an_empty_card_inserted_late_is_used),
+        TEST(test_an_empty_card_inserted_late_is_used_after_a_restart),
         TEST(test_a_card_with_data_inserted_late_is_used_after_a_restart),
         TEST(test_a_card_that_is_read_only_at_the_start_is_used_when_writable),
         TEST(test_a_foreign_card_is_not_written),

@@ -193,6 +193,21 @@ static void test_while_every_sync_fails_nothing_is_acknowledged(void **state)
     assert_true(device.ledger.ops->is_healthy(device.ledger.self));
 }
 
+static void test_close_counts_the_entries_that_no_sync_confirmed(void **state)
+{
+    (void)state;
+    drop_coins(1, 2);
+    fail_syncs("", UINT32_MAX);
+    drop_coins(3, 5);
+    storage_work(&storage);
+    assert_int_equal(saved(), 2);
+    /* The entries can be read back from the cache of the kernel. They may still be lost. */
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 3);
+    fail_syncs(NULL, 0);
+    storage = (struct storage){ .dir = dir, .without_thread = true };
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
+}
+
 static void test_a_failed_sync_of_the_mirror_is_not_acknowledged(void **state)
 {
     (void)state;
@@ -413,6 +428,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(test_after_a_failed_sync_the_log_is_rewritten),
         TEST(test_while_every_sync_fails_nothing_is_acknowledged),
+        TEST(test_close_counts_the_entries_that_no_sync_confirmed),
         TEST(test_a_failed_sync_of_the_mirror_is_not_acknowledged),
         TEST(test_a_failed_checkpoint_closes_the_file_and_loses_nothing),
         TEST(test_a_log_found_at_the_start_is_rewritten_before_it_is_acknowledged),

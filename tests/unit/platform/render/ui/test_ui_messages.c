@@ -53,6 +53,27 @@ static void test_no_hint_requests_a_coin_while_the_slot_is_locked(void **state)
     }
 }
 
+/* A credit can be played only after it is on disk. While the store fails, a player without a credit
+ * on disk must not be invited to start. */
+static void test_no_hint_invites_to_play_credits_that_the_store_cannot_write(void **state)
+{
+    (void)state;
+    uint32_t letters[3];
+    for (uint32_t written = 0; written < 3u; written++) {
+        set_scene(PHASE_ATTRACT, LANGUAGE_EN, HINT_START, 6.0f);
+        scene.credit.price = 1;
+        scene.credit.coming = 1;
+        scene.credit.credits = written == 1u;
+        scene.credit.warnings = written == 2u ? 0u : WARN_STORE;
+        lay_out(sizes[0]);
+        letters[written] = glyph_quads();
+    }
+    assert_true(letters[0] + 30u < letters[1]);
+    /* A coin that was just inserted is written soon. The invitation is then shown in place of the
+     * warning, which has about as many letters. */
+    assert_true(letters[2] + 30u > letters[0]);
+}
+
 /* Without a poi, the coin slot is locked and would return a coin. The result screen must therefore
  * not show the hint to insert a coin. */
 static void test_no_hint_requests_a_coin_without_a_poi(void **state)
@@ -292,6 +313,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_refunded_round_is_shown_without_a_count),
         cmocka_unit_test(test_no_hint_requests_a_coin_while_the_slot_is_locked),
+        cmocka_unit_test(test_no_hint_invites_to_play_credits_that_the_store_cannot_write),
         cmocka_unit_test(test_no_hint_requests_a_coin_without_a_poi),
         cmocka_unit_test(test_no_hint_requests_a_dip_or_a_mouse_without_a_poi),
         cmocka_unit_test(test_a_partly_paid_credit_is_shown_beside_whole_credits),
