@@ -330,7 +330,8 @@ static enum exit_code close_output(struct video *video, enum exit_code code)
         }
         code = code == EXIT_OK ? join_tracks(video) : code;
     }
-    if (code != EXIT_OK) {
+    /* If no output was opened, neither a temporary file nor a folder exists. */
+    if (code != EXIT_OK && (video->encoder || video->folder[0])) {
         unlink(video->encoder ? video->part : path);
     }
     if (video->encoded_fd >= 0) {

@@ -92,6 +92,16 @@ refuses 'no such codec' 'an ffmpeg that fails' "$work" with_stub
 [ "$(cat "$work/old.mp4")" = old ]
 ok $? 'after a failure the older file is unchanged'
 refuses 'nowhere/x.mp4: cannot write' 'a missing folder' /nowhere video /nowhere/x.mp4
+if [ "$(id -u)" -eq 0 ] && [ ! -e /sound.wav ]; then
+    echo own >/sound.wav
+    video /nowhere/x.mp4
+    cat /sound.wav >"$work/output" 2>&1
+    [ "$(cat /sound.wav 2>/dev/null)" = own ]
+    ok $? 'a video that was not begun removes no file' "$work/output"
+    rm -f /sound.wav
+else
+    ok 0 'a video that was not begun removes no file # skip: only the superuser can write a file in /'
+fi
 refuses '/dev/full: cannot write' 'a device in place of a file' /dev video /dev/full
 limited() { (trap '' XFSZ; ulimit -f 300; video "$work/limit.mp4"); }
 refuses 'File too large' 'a file above the limit' "$work" limited
