@@ -57,6 +57,7 @@ static void take_report(struct status_report *report, const struct kiosk *kiosk,
         .entry_id = kiosk->output.entry_id,
         .saved_id = kiosk->input.record_saved_id,
         .store_well = kiosk->input.store_well,
+        .has_picture = kiosk->display_retry_ns == 0,
         .frames = kiosk->frames,
         .dropped_ticks = kiosk->pace.dropped,
         .ticks = kiosk->output.tick,
@@ -208,10 +209,10 @@ static void put_figures(struct json *json, const struct status_report *report)
 {
     const struct kiosk_faults *faults = &report->faults;
     json_print(json,
-               "\n  frames: {count: %llu, median_ms: %.1f, p99_ms: %.1f},"
+               "\n  frames: {count: %llu, median_ms: %.1f, p99_ms: %.1f, shown: %hhd},"
                "\n  ticks: {count: %u, dropped: %llu},",
                (unsigned long long)report->frames, (double)report->frame_median_ns * 1e-6,
-               (double)report->frame_p99_ns * 1e-6, report->ticks,
+               (double)report->frame_p99_ns * 1e-6, report->has_picture, report->ticks,
                (unsigned long long)report->dropped_ticks);
     json_print(json,
                "\n  faults: {poi: %u, fan: %u, display: %u, sound: %u, store: %u, buttons: %u,"

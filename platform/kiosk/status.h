@@ -39,6 +39,7 @@ struct status_report {
     /* Id of the newest ledger entry, and id of the newest entry on disk. */
     uint32_t entry_id, saved_id;
     bool store_well;
+    bool has_picture; /* False while the kiosk has no display. */
     uint64_t frames, dropped_ticks;
     uint32_t ticks;
     uint64_t frame_median_ns, frame_p99_ns;

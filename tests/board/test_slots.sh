@@ -94,7 +94,7 @@ over_noise() { slots_write "$file" b a 2 && holds '1 b a 2'; }
 check 'a state is written over random bytes' over_noise
 
 # ---- mark-good
-tool() { SLOTS=$file SLOT_FILE=$work/slot STATUS=$work/status.json timeout 10 sh "$work/mark-good" "$@"; }
+tool() { SCREENS=$work/drm SLOTS=$file SLOT_FILE=$work/slot STATUS=$work/status.json timeout 10 sh "$work/mark-good" "$@"; }
 cp board/image/slots/mark-good board/image/slots/slots.sh "$work/"
 echo b >"$work/slot"
 trial_is_detected() { begins a b 1 && tool is-trial; }
@@ -103,16 +103,28 @@ not_the_old() { begins b a 0 && ! tool is-trial; }
 check 'a start of the good slot is no trial' not_the_old
 marks() { begins a b 1 && tool mark && holds '2 b - 0'; }
 check 'a marked slot is the good one' marks
-status() { printf '{\n  "version": "0.1.0",\n  "up_s": %s,\n  "phase": "%s",\n' "$1" attract >"$work/status.json"; }
-awaits() { status 10 && tool await; }
+status() { # UP_S SHOWN
+    printf '{\n  "version": "0.1.0",\n  "up_s": %s,\n  "phase": "attract",\n  "frames": {"count": 9, "shown": %s},\n' "$@" >"$work/status.json"
+}
+screen() { # STATUS: the state of the second of two connectors
+    mkdir -p "$work/drm/card0-HDMI-A-1" "$work/drm/card0-HDMI-A-2"
+    echo disconnected >"$work/drm/card0-HDMI-A-1/status"
+    echo "$1" >"$work/drm/card0-HDMI-A-2/status"
+}
+awaits() { status 10 true && screen connected && tool await; }
 check 'a kiosk that runs for 10 s ends the trial' awaits
-waits_on() { # STATUS
-    status "$1"
-    SLOTS=$file SLOT_FILE=$work/slot STATUS=$work/status.json timeout 2 sh "$work/mark-good" await
+waits_on() { # UP_S SHOWN
+    status "$@"
+    SCREENS=$work/drm SLOTS=$file SLOT_FILE=$work/slot STATUS=$work/status.json timeout 2 sh "$work/mark-good" await
     [ $? -eq 124 ]
 }
-check 'a kiosk that runs for 9 s does not' waits_on 9
-check 'a status that is no number does not' waits_on '"99"'
+check 'a kiosk that runs for 9 s does not' waits_on 9 true
+check 'a status that is no number does not' waits_on '"99"' true
+check 'a kiosk without a picture on a connected screen does not' waits_on 99 false
+unplugged() { status 10 false && screen disconnected && tool await; }
+check 'without a connected screen, no picture is needed' unplugged
+no_graphics() { rm -r "$work/drm" && status 10 false && tool await; }
+check 'without graphics, no picture is needed' no_graphics
 unit=board/image/root/etc/systemd/system/kingyo-slot-good.service
 # The devices of a unit are denied by its control group, which "+" does not change.
 allows() { ! grep -q '^PrivateDevices=yes' $unit && grep -qx 'DeviceAllow=/dev/kingyo/slots rw' $unit; }

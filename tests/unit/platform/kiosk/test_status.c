@@ -86,6 +86,7 @@ static const struct status_report full_report = {
     .entry_id = 90,
     .saved_id = 88,
     .store_well = 1,
+    .has_picture = true,
     .frames = 600,
     .dropped_ticks = 9,
     .ticks = 7200,
@@ -142,6 +143,7 @@ static const struct {
     { "$.store.entry_id", "90" },
     { "$.store.saved_id", "88" },
     { "$.store.waiting", "2" },
+    { "$.frames.shown", "1" },
     { "$.frames.count", "600" },
     { "$.frames.median_ms", "16.7" },
     { "$.frames.p99_ms", "18.0" },
@@ -182,6 +184,9 @@ static void test_the_status_file_contains_every_value(void **state)
     for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
         check_json(text, expected[i].where, expected[i].value);
     }
+    /* board/image/slots/mark-good searches for this text. */
+    assert_non_null(strstr(text, "\n  \"frames\": {"));
+    assert_non_null(strstr(text, ", \"shown\": true},\n"));
 }
 
 static void test_an_unmeasured_value_is_null(void **state)
