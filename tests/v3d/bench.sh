@@ -37,6 +37,7 @@ v3d() { # LOG VARIABLE... -- OPTION...
 }
 
 status=0
+: >"$logs/frames.txt"
 v3d pi4 V3D_DEBUG=precompile,shaderdb,fs,vs -- --mode festival --players 1
 v3d pi5 V3D_DEBUG=precompile,shaderdb,fs,vs V3D_SHIM_71=1 -- --mode festival --players 1
 "$here/v3d.py" programs "$logs/pi4.log" "$logs/pi5.log" >"$folder/programs.tsv"
@@ -55,9 +56,12 @@ while read -r name size fans pois options; do
     for gpu in pi4 pi5; do
         "$here/v3d.py" frame "$logs/$gpu.log" "$logs/$name-jobs.log" "$logs/$name-quads.log" --gpu $gpu --fans "$fans" \
             --pois "$pois" >"$logs/$name-$gpu.txt" || status=1
-        printf '%-18s %s\n' "$name" "$(tail -1 "$logs/$name-$gpu.txt")"
+        printf '\n%s on %s: passes and jobs\n' "$name" "$gpu"
+        cat "$logs/$name-$gpu.txt"
+        printf '%-18s %s\n' "$name" "$(tail -1 "$logs/$name-$gpu.txt")" >>"$logs/frames.txt"
     done
-    [ -n "${PASSES:-}" ] && cat "$logs/$name-pi4.txt"
 done <"$here/scenes.txt"
+printf '\nframes\n'
+cat "$logs/frames.txt"
 [ $status -eq 0 ] || echo "bench-v3d: if higher costs are accepted: cp $folder/programs.tsv tests/v3d/programs.tsv" >&2
 exit $status

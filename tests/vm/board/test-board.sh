@@ -1,6 +1,7 @@
 #!/bin/bash
 # test-board.sh -- runs the tests of the card of `make image BOARD=rpi4` that MACHINES names:
-#   parts    each part of each board has a driver on the card (parts.py)
+#   parts    each part of each board has a driver on the card, each device tree has the names of the cabinet's lines, and
+#            config.txt names only what is on the card (parts.py)
 #   raspi3b  QEMU's Raspberry Pi 3 starts the card (raspi3b.sh)
 #   virt     QEMU's machine `virt` starts the card: a round, kill -9, a hang (image/test-image.sh)
 #   poi      QEMU's machine `virt` starts the card of a poi (poi.sh); needs `make image BOARD=poi`
@@ -14,8 +15,8 @@ failed=0
 parts() {
     local folder
     folder=$(mktemp -d)
-    mcopy -s -i "$cards/kingyo.img@@4M" '::*.dtb' ::initrd "$folder/" && zstd -dcq "$folder/initrd" | cpio -t --quiet >"$folder/list" &&
-        "$here/parts.py" "$cache/kernel" "$folder" "$folder/list" "$here/left_out.txt"
+    mcopy -s -i "$cards/kingyo.img@@4M" '::*' "$folder/" && zstd -dcq "$folder/initrd" | cpio -t --quiet >"$folder/list" &&
+        "$here/parts.py" "$cache/kernel" "$folder" "$folder/list" "$here/left_out.txt" "$here/../../../board/rpi4/lines.conf"
     local code=$?
     rm -r "$folder"
     return $code
