@@ -86,6 +86,9 @@ enum setting_id {
     /* Light of the stall: 0 is night with bulbs and lanterns, and 1 is day. The setting belongs to
      * the picture settings. Recordings have it since format 11. */
     SET_TIME,
+    /* Camera in a round with one player: 0 if it comes closer around the poi, 1 if it rests. The
+     * setting belongs to the picture settings. Recordings have it since format 12. */
+    SET_CAMERA,
     SETTING_COUNT,
 };
 

@@ -37,6 +37,7 @@ static struct words words_of(uint32_t id)
         [SET_EFFECTS] = { SETTING_SOUND_STEPS, { "100", "75", "50", "25", "silent" } },
         [SET_QUIET_VOLUME] = { QUIET_VOLUME_COUNT, { "50", "30", "15", "silent" } },
         [SET_TIME] = { 2, { "night", "day" } },
+        [SET_CAMERA] = { 2, { "follow", "rest" } },
         [SET_ROTATION] = { 4, { "0", "90", "180", "270" } },
         /* The value is the paper grade of the poi (the paper scoop). Value 0 means the game mode's
          * own grade. Values 1 to 3 have no name because they are not valid. */
@@ -284,6 +285,9 @@ static const char *const help[SETTING_COUNT] = {
     [SET_QUIET_TO_MIN] = ("Time of day at which the quiet hours end. The time of quiet-from means "
                           "that there are none."),
     [SET_TIME] = "Light of the stall: night with bulbs and lanterns, or day.",
+    [SET_CAMERA] =
+        ("Camera in a round with one player: follow comes closer to the poi by up to 15 per cent, "
+         "rest does not move."),
     [SET_PIN] = "Four digits that open the operator's menu. 0 means that the menu needs no PIN.",
 };
 

@@ -43,9 +43,16 @@ static void present_view(struct kiosk *kiosk, const struct hal *hal)
                            kiosk->output.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
     const uint8_t phase = kiosk->output.phase;
     const bool is_turned = kiosk->input.is_turned != 0;
-    struct view view = is_turned ? kiosk->scene.turned_view : kiosk->rest_view;
-    output_camera_step(&kiosk->camera, &kiosk->dimmer, &kiosk->scene, is_turned, &view);
+    const struct view rest = is_turned ? kiosk->scene.turned_view : kiosk->rest_view;
+    struct view view = rest;
+    output_camera_step(&kiosk->camera, &kiosk->dimmer, &kiosk->scene, is_turned,
+                       kiosk->core.config.persistent.settings.value[SET_CAMERA] == 0, &view);
     kiosk->scene.view = view;
+    /* The core projects a pointer to a page with the camera at rest (pointer_mapping.h). */
+    if (phase == PHASE_MODE_SELECT || phase == PHASE_NAME || phase == PHASE_LAB ||
+        phase == PHASE_MENU) {
+        view = rest;
+    }
     /* Devices use the player's axes. */
     view.eye_m = view_from_world(is_turned, view.eye_m);
     view.target_m = view_from_world(is_turned, view.target_m);

@@ -2,6 +2,8 @@
  * output_devices.h. */
 #include "platform/kiosk/output_devices.h"
 
+#include <string.h>
+
 #include "core/base/panic.h"
 #include "core/scene.h"
 
@@ -280,12 +282,134 @@ static void notice_catch(struct output_camera *camera, const struct scene *scene
     }
 }
 
-void output_camera_step(struct output_camera *camera, const struct output_dimmer *dimmer,
-                        const struct scene *scene, bool is_turned, struct view *view)
+/* Distance to the place of rest below which the camera rests exactly, in metres and as a share. */
+#define CAMERA_REST 1e-4f
+/* Share of the largest possible approach that leaves room to follow the poi to the sides, and a
+ * positive lower bound of the share that is divided by. */
+#define CAMERA_SIDE_SHARE 0.90f
+#define CAMERA_CLOSER_MIN 0.01f
+
+/* Advances `spring` by `step_s` seconds of a critically damped motion to `target`. */
+static void camera_spring_step(struct camera_spring *spring, float target, float step_s)
 {
+    const float rate = CAMERA_CLOSER_RATE;
+    const float away = spring->at - target;
+    const float drive = spring->speed + rate * away;
+    const float left = f_exp(-rate * step_s);
+    spring->at = target + (away + drive * step_s) * left;
+    spring->speed = (spring->speed - rate * drive * step_s) * left;
+}
+
+/* Edges of the picture, in the order in which the point of approach is moved to show them. */
+enum picture_edge { EDGE_FAR = 0, EDGE_NEAR, EDGE_LEFT, EDGE_RIGHT, EDGE_COUNT };
+
+/* Writes the normals of the planes through the eye that bound the part of the picture in which the
+ * water is shown. The normals point into the picture. */
+static void picture_bounds(const struct view *view, const struct basis *axes, bool is_turned,
+                           vec3 normal[EDGE_COUNT])
+{
+    const float far = is_turned ? CAMERA_FAR_EDGE_TURNED : CAMERA_FAR_EDGE;
+    const float across = CAMERA_SIDE_EDGE * view->half_height_tan * view->aspect_min;
+    const vec3 ahead = v3_scale(axes->back, -1.0f);
+    normal[EDGE_FAR] = v3_sub(v3_scale(ahead, far * view->half_height_tan), axes->up);
+    normal[EDGE_NEAR] = v3_add(v3_scale(ahead, CAMERA_NEAR_EDGE * view->half_height_tan), axes->up);
+    normal[EDGE_LEFT] = v3_add(v3_scale(ahead, across), axes->right);
+    normal[EDGE_RIGHT] = v3_sub(v3_scale(ahead, across), axes->right);
+}
+
+/* Moves the point `*at_m` in the direction `way` until its distance from the plane with the normal
+ * `normal` through `eye_m` is at most `limit_m`. */
+static void move_inside(vec3 *at_m, vec3 normal, vec3 eye_m, vec3 way, float limit_m)
+{
+    const float excess_m = v3_dot(normal, v3_sub(*at_m, eye_m)) - limit_m;
+    if (excess_m > 0.0f) {
+        *at_m = v3_muladd(*at_m, way, -excess_m / v3_dot(normal, way));
+    }
+}
+
+/* Returns the share by which the camera `view` comes closer to a point, and moves the point
+ * `*at_m`, which is the place of the poi, so that the whole water remains in the picture. If the
+ * camera comes closer by a share, the distance of every object from a plane through the eye
+ * decreases by this share of the point's distance from the plane. */
+static float find_approach(const struct view *view, bool is_turned, vec3 tank_size_m, vec3 *at_m)
+{
+    const struct basis axes = view_basis(view);
+    const vec3 toward = v3_normalize_or(v3_flat(axes.back), v3(0.0f, 0.0f, 1.0f));
+    vec3 normal[EDGE_COUNT];
+    float room_m[EDGE_COUNT]; /* Distance of the water from each plane. */
+    picture_bounds(view, &axes, is_turned, normal);
+    for (uint32_t edge = 0; edge < EDGE_COUNT; edge++) {
+        const float reach_m =
+            f_abs(normal[edge].x) * tank_size_m.x + f_abs(normal[edge].z) * tank_size_m.z;
+        room_m[edge] = f_max(-v3_dot(normal[edge], view->eye_m) - 0.5f * reach_m, 0.0f);
+    }
+    float share = CAMERA_CLOSER_MAX;
+    for (uint32_t edge = EDGE_FAR; edge <= EDGE_NEAR; edge++) {
+        move_inside(at_m, normal[edge], view->eye_m, toward, room_m[edge] / share);
+    }
+    const float width_m =
+        v3_dot(v3_add(normal[EDGE_LEFT], normal[EDGE_RIGHT]), v3_sub(*at_m, view->eye_m));
+    const float side_m = room_m[EDGE_LEFT] + room_m[EDGE_RIGHT];
+    share = f_clamp(CAMERA_SIDE_SHARE * side_m / width_m, CAMERA_CLOSER_MIN, share);
+    for (uint32_t edge = EDGE_LEFT; edge <= EDGE_RIGHT; edge++) {
+        move_inside(at_m, normal[edge], view->eye_m, axes.right, room_m[edge] / share);
+    }
+    for (uint32_t edge = 0; edge < EDGE_COUNT; edge++) {
+        share = f_min(share, room_m[edge] / v3_dot(normal[edge], v3_sub(*at_m, view->eye_m)));
+    }
+    return share;
+}
+
+/* Returns the player who plays alone in a round, or POI_MAX. */
+static uint32_t find_single_player(const struct scene *scene)
+{
+    uint32_t count = 0, player = POI_MAX;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        count += scene->bowl[i].present;
+        player = scene->bowl[i].present ? i : player;
+    }
+    return scene->phase == PHASE_ROUND && count == 1 ? player : (uint32_t)POI_MAX;
+}
+
+/* Moves `view` closer to the poi of a player who plays alone. `rest` is the camera at rest. */
+static void come_closer(struct output_camera *camera, const struct scene *scene, bool is_turned,
+                        bool follows, float step_s, const struct view *rest, struct view *view)
+{
+    const uint32_t player = follows ? find_single_player(scene) : (uint32_t)POI_MAX;
+    struct camera_spring *const closer = camera->closer;
+    float target[3] = { 0.0f, 0.0f, 0.0f };
+    if (player < POI_MAX) {
+        const struct scene_poi *const poi = &scene->poi[player];
+        vec3 at_m = v3_flat(poi->position_m);
+        const bool is_still = !poi->present || poi->position_m.y < 0.0f;
+        const float share = find_approach(rest, is_turned, scene->tank_size_m, &at_m);
+        target[0] = is_still ? closer[0].at : share;
+        target[1] = is_still ? closer[1].at : share * at_m.x;
+        target[2] = is_still ? closer[2].at : share * at_m.z;
+    }
+    float far = 0.0f;
+    for (uint32_t i = 0; i < 3; i++) {
+        if (step_s > 0.0f) { /* A step of 0 s would round the place. */
+            camera_spring_step(&closer[i], target[i], step_s);
+        }
+        far = f_max(far, f_max(f_abs(closer[i].at), f_abs(closer[i].speed)));
+    }
+    if (player == POI_MAX && far < CAMERA_REST) {
+        memset(camera->closer, 0, sizeof camera->closer);
+        return;
+    }
+    const vec3 shift_m = v3(closer[1].at, 0.0f, closer[2].at);
+    view->eye_m = v3_muladd(shift_m, view->eye_m, 1.0f - closer[0].at);
+    view->target_m = v3_muladd(shift_m, view->target_m, 1.0f - closer[0].at);
+}
+
+void output_camera_step(struct output_camera *camera, const struct output_dimmer *dimmer,
+                        const struct scene *scene, bool is_turned, bool follows, struct view *view)
+{
+    const struct view rest = *view;
     const uint32_t ticks = scene->tick - camera->seen_tick;
-    const float step =
-        (float)(ticks < CORE_TICK_HZ ? ticks : 0u) * CORE_TICK_S * (1.0f / CAMERA_MOVE_S);
+    const float step_s = (float)(ticks < CORE_TICK_HZ ? ticks : 0u) * CORE_TICK_S;
+    const float step = step_s * (1.0f / CAMERA_MOVE_S);
     /* `seen_ns` is rounded down to a millisecond, so that it may be before `touched_ns`. */
     const uint64_t idle_ns =
         dimmer->seen_ns > dimmer->touched_ns ? dimmer->seen_ns - dimmer->touched_ns : 0;
@@ -310,4 +434,5 @@ void output_camera_step(struct output_camera *camera, const struct output_dimmer
     view->eye_m =
         v3_lerp(eye_m, v3_add(camera->close_m, view_to_world(is_turned, close_eye_m)), close);
     view->target_m = v3_lerp(view->target_m, camera->close_m, close);
+    come_closer(camera, scene, is_turned, follows, step_s, &rest, view);
 }

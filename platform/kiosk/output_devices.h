@@ -112,18 +112,42 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
 #define CAMERA_MOVE_S 1.5f
 #define CAMERA_CLOSE_S 4.0f
 
-/* Motion of the camera in attract mode. All zero: the camera rests. */
+/* Largest share of the distance to the poi by which the camera comes closer in a round with one
+ * player, and the rate in 1/s of the critically damped motion. */
+#define CAMERA_CLOSER_MAX 0.15f
+#define CAMERA_CLOSER_RATE 1.5f
+/* Largest distances from the middle of the picture at which the closer camera shows the edges of
+ * the water, as shares of half the picture's height or width. The far edge stays below the
+ * counters, which are lower in a wide picture. */
+#define CAMERA_FAR_EDGE 0.71f
+#define CAMERA_FAR_EDGE_TURNED 0.84f
+#define CAMERA_NEAR_EDGE 0.98f
+#define CAMERA_SIDE_EDGE 1.0f
+
+/* One coordinate of a critically damped motion. */
+struct camera_spring {
+    float at, speed; /* The speed is per second. */
+};
+
+/* Motion of the camera. All zero: the camera rests. */
 struct output_camera {
     float drift; /* Share [0, 1] of the slow motion around the place of rest. */
     float close; /* Share [0, 1] of the way to a bowl into which a fish has fallen. */
     uint32_t seen_tick, close_until_tick;
     uint32_t caught[POI_MAX]; /* Number of fish in each bowl in the previous frame. */
     vec3 close_m;             /* Position of the bowl. */
+    /* The share by which the camera is closer to a point of the water, and x and z of the point
+     * multiplied by this share. All possible places of the camera then form a convex set, so that
+     * the camera shows the edges of the water also while it moves. */
+    struct camera_spring closer[3];
 };
 
-/* Moves the camera `view`, which is at rest, to its place in this frame. The camera moves only in
- * attract mode, while nobody has touched the kiosk for CAMERA_IDLE_S. It drifts slowly, and comes
- * close to a bowl for a moment after a fish has fallen into the bowl. Otherwise the camera returns
- * within CAMERA_MOVE_S. Must be called after output_dimmer_step(), which detects touches. */
+/* Moves the camera `view`, which is at rest, to its place in this frame. In attract mode, while
+ * nobody has touched the kiosk for CAMERA_IDLE_S, the camera drifts slowly, and comes close to a
+ * bowl for a moment after a fish has fallen into the bowl. In a round with one player the camera
+ * comes closer around the poi if `follows` is true. It does not move while the poi is under water,
+ * because the poi is at the place of the pointer in the picture: a moving picture would press the
+ * water against the paper. Otherwise the camera returns to its place of rest. It never moves
+ * without ticks. Must be called after output_dimmer_step(), which detects touches. */
 void output_camera_step(struct output_camera *camera, const struct output_dimmer *dimmer,
-                        const struct scene *scene, bool is_turned, struct view *view);
+                        const struct scene *scene, bool is_turned, bool follows, struct view *view);

@@ -50,9 +50,11 @@ struct frame {
     GLuint buffer, below_buffer;
     struct frame_block block;
     struct frame_part part;
-    /* Camera and size of the previous frame, and true if only the camera has changed since then. */
+    /* Camera and size of the previous frame, the number of frames in which the camera counts as
+     * moving, and true if it is not 0. */
     float last_view[16];
     uint32_t last_below_px[2];
+    uint32_t moving_frames;
     bool is_moving;
     struct frame_part shaded_part; /* Part of the screen in which fans shade the rim or the counter,
                                       in pixels. Its width is 0 if no fan does. */
@@ -64,6 +66,10 @@ struct frame {
 
 void frame_open(struct frame *frame);
 void frame_close(struct frame *frame);
+
+/* Sets whether the camera counts as moving in the next frame, whose picture of the underwater scene
+ * has the size `below_px`. */
+void frame_set_moving(struct frame *frame, bool is_moving, const uint32_t below_px[2]);
 
 /* Computes the uniform block for `scene` with the display geometry `transform`, uploads the block,
  * and binds the block for the screen. `size_px` is the width and the height of the render target

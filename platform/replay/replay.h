@@ -47,10 +47,11 @@
 #define REPLAY_CATALOG_MAX (32u * 1024u)
 
 /* Format version that the writer writes. Version 8 added the rules of tickets and refunds,
- * version 9 the levels and the presents, and version 10 the side of the bowl, the settings for
+ * version 9 the levels and the presents, version 10 the side of the bowl, the settings for
  * the bodies of the players, the end of a session between two games, and the blocking of credits
- * that may not be on disk, and version 11 the settings of the sound and of the light. */
-#define REPLAY_VERSION 11u
+ * that may not be on disk, version 11 the settings of the sound and of the light, and version 12
+ * the setting of the camera. */
+#define REPLAY_VERSION 12u
 /* Oldest format version that the reader accepts. A recording of an older version is simulated under
  * the rules of that version (config_has_rules() in core/config.h). Versions below 7 are rejected
  * because their recordings lack data: the shadows (version 1), the game modes (up to version 2),

@@ -100,6 +100,7 @@ FEATURE_LINES = {
     'checks of results and of a divisor that clang-tidy needs': 5,
     'programs that are drawn once before their first use, shadows in bowls, a camera at rest, coins that no store accepted': 64,
     'a camera that drifts in attract mode, and pictures below the water that follow it': 108,
+    'a camera that comes closer in a round with one player, its setting, and calm changes of render targets': 133,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.

@@ -8,14 +8,15 @@ $(BUILD)/tests/render/shot: $(SHOT_PARTS:%=$(BUILD)/tests/render/%.o) $(BUILD)/s
 
 # --start presses START after half a second. --mode NAME enables only that mode, and --choose
 # enables all three. --players N sets the number of bots. --follow M views the first poi from a
-# distance of M metres. --paper shows a poi with --stress, --water MM, --tilt DEGREES and --owner
-# N. --heel DEGREES tilts the bowls. --careless plays with a bot that wets half the paper and
-# pushes it. --lab SPECIES --progress P shows the growth lab with --compare, --path or
-# --size-layer. --album N --progress P shows the album with N fish. --menu PAGE --step N shows a
-# page of the operator's menu. --coins N sets the price of a round. --rotation QUARTERS, --inset
-# and --shift THOUSANDTHS and --light PERCENT transform the picture on the screen. --frames N
-# --every S draws N pictures, S seconds apart. --steps writes the name of each render step on
-# standard error. --quality-step N lowers the quality by N steps.
+# distance of M metres. --closer shows the moving camera of a round with one player. --paper shows a
+# poi with --stress, --water MM, --tilt DEGREES and --owner N. --heel DEGREES tilts the bowls.
+# --careless plays with a bot that wets half the paper and pushes it. --lab SPECIES --progress P
+# shows the growth lab with --compare, --path or --size-layer. --album N --progress P shows the
+# album with N fish. --menu PAGE --step N shows a page of the operator's menu. --coins N sets the
+# price of a round. --rotation QUARTERS, --inset and --shift THOUSANDTHS and --light PERCENT
+# transform the picture on the screen. --frames N --every S draws N pictures, S seconds apart.
+# --steps writes the name of each render step on standard error. --quality-step N lowers the quality
+# by N steps.
 ## picture/shot: Play and keep a frame in out/shot.png; ARGS="--players 4"
 shot: $(BUILD)/tests/render/shot
 	@mkdir -p out

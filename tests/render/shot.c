@@ -16,10 +16,12 @@
  * visible fish are complete. */
 #define SKIN_FRAMES 150u
 #define PASS_FRAMES 40u
+#define CLOSER_STEP_M 1e-4f /* Motion of the camera from frame to frame with --closer. */
 
 static struct scene scene;
 static struct display_gl display;
 static uint8_t pixels[PIXELS_MAX * 3u];
+static float step_m; /* Motion of the camera from frame to frame. */
 
 static double clock_ms(clockid_t clock)
 {
@@ -72,13 +74,19 @@ static void write_step(void *context, enum render_step step)
     fprintf(stderr, "STEP %s\n", step_names[step]);
 }
 
+static void present(const struct hal_display *device)
+{
+    scene.view.eye_m.x += step_m;
+    device->ops->present(device->self, &scene);
+}
+
 static void time_passes(const struct hal_display *device)
 {
     struct meter meter = { 0 };
     double frames[PASS_FRAMES];
     for (uint32_t i = 0; i < PASS_FRAMES; i++) {
         const double start = now_ms();
-        device->ops->present(device->self, &scene);
+        present(device);
         glFinish();
         frames[i] = now_ms() - start;
     }
@@ -89,7 +97,7 @@ static void time_passes(const struct hal_display *device)
         glFinish();
         meter.last = now_ms();
         meter.last_cpu = cpu_ms();
-        device->ops->present(device->self, &scene);
+        present(device);
     }
     display.renderer.on_step = NULL;
     for (uint32_t i = 0; i < STEP_COUNT; i++) {
@@ -153,6 +161,7 @@ int main(int argc, char **argv)
         return 2;
     }
     shot_scene(&options, &scene);
+    step_m = options.closer ? CLOSER_STEP_M : 0.0f;
     const double before = now_ms();
     if (device.ops->open(device.self) != HAL_OK) {
         fprintf(stderr, "%s\n", device.ops->describe(device.self));
@@ -169,7 +178,7 @@ int main(int argc, char **argv)
      * what later frames keep. */
     const uint32_t frames = options.lab || options.album > 0 ? SKIN_FRAMES : 1u + options.steps;
     for (uint32_t i = 0; i < frames; i++) {
-        device.ops->present(device.self, &scene);
+        present(&device);
     }
     if (options.passes) {
         time_passes(&device);

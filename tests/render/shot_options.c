@@ -73,6 +73,7 @@ static const struct plain_option {
     { "--paper", OPTION_FLAG, offsetof(struct shot_options, paper), 0.0f },
     { "--stress", OPTION_FLAG, offsetof(struct shot_options, stress), 0.0f },
     { "--careless", OPTION_FLAG, offsetof(struct shot_options, careless), 0.0f },
+    { "--closer", OPTION_FLAG, offsetof(struct shot_options, closer), 0.0f },
     { "--plain", OPTION_FLAG, offsetof(struct shot_options, plain), 0.0f },
     { "--day", OPTION_FLAG, offsetof(struct shot_options, day), 0.0f },
     { "--players", OPTION_BYTE, offsetof(struct shot_options, players), 0.0f },

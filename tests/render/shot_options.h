@@ -20,6 +20,8 @@ struct shot_options {
     /* Point of the water surface at which the camera looks, and distance of the camera from this
      * point. If the distance is 0, the normal camera is used. */
     float close_x_m, close_z_m, close_m;
+    /* 1 if the camera is where it is in a round with one player, and moves from frame to frame. */
+    uint8_t closer;
     uint32_t width, height, samples, fish, seed;
     uint8_t start, english, passes, paper, preset;
     /* With `steps`, shot writes the name of each render step on standard error after the step.

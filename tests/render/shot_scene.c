@@ -5,6 +5,7 @@
 
 #include "core/core.h"
 #include "core/game/lab/lab.h"
+#include "platform/kiosk/output_devices.h"
 #include "tests/render/shot_menu.h"
 
 #define PUSH_M_S 0.80f
@@ -145,6 +146,23 @@ static void follow(const struct shot_options *options, struct scene *scene)
     scene->view.eye_m = v3_add(at, v3(0.0f, 0.75f * options->follow_m, 0.66f * options->follow_m));
 }
 
+/* Moves the camera to the place that it reaches in a round with one player. */
+static void come_closer(const struct shot_options *options, struct scene *scene)
+{
+    static const struct output_dimmer dimmer;
+    struct output_camera camera = { 0 };
+    struct scene round = *scene;
+    round.phase = PHASE_ROUND;
+    const vec3 at_m = v3_flat(scene->poi[0].position_m);
+    for (uint32_t i = 0; i < 600u; i++) {
+        round.tick += 2u;
+        round.poi[0].position_m = v3_add(at_m, v3(0.0f, 0.035f, 0.0f));
+        round.view = scene->view;
+        output_camera_step(&camera, &dimmer, &round, shot_is_upright(options), true, &round.view);
+    }
+    scene->view = round.view;
+}
+
 /* Fills the paper of a poi for a picture. The paper is half wet and has two holes, with stress
  * around the holes. */
 static void fill_sheet(struct scene_poi *poi)
@@ -201,6 +219,9 @@ void shot_scene(const struct shot_options *options, struct scene *scene)
     if (options->plain) {
         scene->phase = PHASE_WORDLESS;
         scene->poi[0].present = scene->bowl[0].present = 0;
+    }
+    if (options->closer) {
+        come_closer(options, scene);
     }
     if (options->close_m > 0.0f) {
         come_close(options, scene);

@@ -150,6 +150,8 @@ static const struct setting_words settings[SETTING_COUNT] = {
     [SET_QUIET_TO_MIN] = { TEXT_SET_QUIET_TO, TEXT_HELP_QUIET_TO, .choices = { 0 } },
     [SET_TIME] = { TEXT_SET_TIME, TEXT_HELP_TIME,
                    .choices = { TEXT_OPT_TIME_NIGHT, TEXT_OPT_TIME_DAY } },
+    [SET_CAMERA] = { TEXT_SET_CAMERA, TEXT_HELP_CAMERA,
+                     .choices = { TEXT_OPT_CAMERA_FOLLOW, TEXT_OPT_CAMERA_REST } },
 };
 
 const struct menu_words *menu_words_of(uint8_t page)

@@ -1,6 +1,6 @@
 /* test_dimmer.c -- Tests the brightness of the display, the pixel shift against burn-in, and the
- * camera in attract mode. The display is bright during a game, dimmed when idle, and dark at
- * night. */
+ * camera in attract mode and in a round. The display is bright during a game, dimmed when idle, and
+ * dark at night. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "core/tank/preset.h"
 #include "platform/kiosk/output_devices.h"
 
 #define FRAME_NS 16666667ull
@@ -211,7 +212,7 @@ static struct view camera_after(uint32_t seconds)
         frame(1);
         scene.tick += 2;
         view = rest;
-        output_camera_step(&camera, &dimmer, &scene, false, &view);
+        output_camera_step(&camera, &dimmer, &scene, false, true, &view);
         assert_true(i == 0 || v3_length(v3_sub(view.eye_m, last.eye_m)) < 0.02f);
         last = view;
     }
@@ -264,7 +265,7 @@ static void test_the_camera_returns_in_the_frame_of_a_touch(void **state)
     dimmer.seen_ns = 20u * NS_PER_S;
     dimmer.touched_ns = dimmer.seen_ns + 400000u;
     scene.tick += 2;
-    output_camera_step(&camera, &dimmer, &scene, false, &view);
+    output_camera_step(&camera, &dimmer, &scene, false, true, &view);
     assert_true(camera.drift < 0.5f);
 }
 
@@ -278,9 +279,139 @@ static void test_the_camera_rests_in_a_game(void **state)
         frame(0);
         scene.tick += 2;
         view = rest;
-        output_camera_step(&camera, &dimmer, &scene, false, &view);
+        output_camera_step(&camera, &dimmer, &scene, false, true, &view);
     }
     assert_memory_equal(&view, &rest, sizeof rest);
+}
+
+/* ---- The camera in a round ------------------------------------------------------------------ */
+
+static struct view tank_rest; /* Camera of the tank at rest. */
+static bool is_turned, follows;
+
+/* Begins a round of one player in the tank `preset`. The poi hovers over the middle. */
+static void begin_camera_round(uint8_t preset, bool turned)
+{
+    memset(&camera, 0, sizeof camera);
+    memset(&scene, 0, sizeof scene);
+    scene.phase = PHASE_ROUND;
+    scene.tank_size_m = tank_preset(preset)->size_m;
+    scene.bowl[1].present = scene.poi[1].present = 1;
+    scene.poi[1].position_m.y = 0.035f;
+    is_turned = turned;
+    follows = true;
+    tank_rest = tank_preset_view(tank_preset(preset), turned);
+}
+
+static struct view round_frame(uint32_t ticks)
+{
+    struct view view = tank_rest;
+    frame(0);
+    scene.tick += ticks;
+    output_camera_step(&camera, &dimmer, &scene, is_turned, follows, &view);
+    return view;
+}
+
+/* Runs `seconds` of the round at 60 frames a second and returns the last view. */
+static struct view round_after(uint32_t seconds)
+{
+    struct view view = tank_rest;
+    for (uint32_t i = 0; i < 60u * seconds; i++) {
+        view = round_frame(2);
+    }
+    return view;
+}
+
+/* Returns the position of a point in the picture: -1 to 1 on both axes if it is visible. */
+static void seen_at(const struct view *view, vec3 point_m, float *x, float *y)
+{
+    const struct basis axes = view_basis(view);
+    const vec3 body = vec_basis_to_body(&axes, v3_sub(point_m, view->eye_m));
+    *y = body.y / -body.z / view->half_height_tan;
+    *x = body.x / -body.z / (view->half_height_tan * view->aspect_min);
+}
+
+/* Checks that all corners of the water are visible, and that the place under each pointer is the
+ * place that the picture shows there. */
+static void check_picture(const struct view *view)
+{
+    const float far = is_turned ? CAMERA_FAR_EDGE_TURNED : CAMERA_FAR_EDGE;
+    for (uint32_t i = 0; i < 4; i++) {
+        const vec3 corner_m = v3((i & 1u ? 0.5f : -0.5f) * scene.tank_size_m.x, 0.0f,
+                                 (i & 2u ? 0.5f : -0.5f) * scene.tank_size_m.z);
+        float x, y;
+        seen_at(view, corner_m, &x, &y);
+        assert_true(f_abs(x) < CAMERA_SIDE_EDGE + 0.001f);
+        assert_true(y > -CAMERA_NEAR_EDGE - 0.001f && y < far + 0.001f);
+        const vec3 mapped_m = view_point_on_plane(view, view->aspect_min, x, y, 0.0f);
+        assert_true(v3_length(v3_sub(mapped_m, corner_m)) < 1e-4f);
+    }
+}
+
+static void test_the_camera_comes_closer_and_shows_the_whole_water(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 2u * TANK_PRESET_COUNT; i++) {
+        begin_camera_round((uint8_t)(i / 2u), i & 1u);
+        struct view before = tank_rest;
+        for (uint32_t step = 0; step < 1200; step++) {
+            /* The poi circles, and jumps once to the opposite corner. */
+            const float turn = 0.01f * (float)step + (step < 600 ? 0.0f : 0.5f * F_TAU);
+            scene.poi[1].position_m.x = 0.49f * scene.tank_size_m.x * f_cos(turn);
+            scene.poi[1].position_m.z = 0.49f * scene.tank_size_m.z * f_sin(turn);
+            const struct view view = round_frame(2);
+            check_picture(&view);
+            assert_true(v3_length(v3_sub(view.eye_m, before.eye_m)) < 0.003f);
+            before = view;
+        }
+        assert_true(camera.closer[0].at > 0.05f && camera.closer[0].at < CAMERA_CLOSER_MAX + 1e-4f);
+    }
+}
+
+static void test_the_camera_leans_to_the_side_of_the_poi(void **state)
+{
+    (void)state;
+    begin_camera_round(TANK_PRESET_OFFICIAL, false);
+    scene.poi[1].position_m.x = 0.5f;
+    assert_true(round_after(8).eye_m.x > 0.005f);
+    scene.poi[1].position_m.x = -0.5f;
+    assert_true(round_after(8).eye_m.x < -0.005f);
+}
+
+static void test_the_camera_rests_without_ticks_and_while_the_poi_is_under_water(void **state)
+{
+    (void)state;
+    begin_camera_round(TANK_PRESET_FESTIVAL, false);
+    struct view before = round_after(1), view = round_frame(0);
+    assert_memory_equal(&view, &before, sizeof view);
+    scene.poi[1].position_m = v3(0.3f, -0.05f, 0.1f);
+    before = round_after(3);
+    view = round_after(1);
+    assert_true(v3_length(v3_sub(view.eye_m, before.eye_m)) < 1e-5f);
+    assert_true(camera.closer[0].at > 0.005f);
+}
+
+static void test_the_camera_returns_exactly_after_the_round(void **state)
+{
+    (void)state;
+    begin_camera_round(TANK_PRESET_FESTIVAL, false);
+    round_after(5);
+    scene.phase = PHASE_RESULT;
+    const struct view view = round_after(8);
+    assert_memory_equal(&view, &tank_rest, sizeof view);
+}
+
+static void test_the_camera_rests_with_two_players_and_if_the_setting_says_so(void **state)
+{
+    (void)state;
+    begin_camera_round(TANK_PRESET_FESTIVAL, false);
+    scene.bowl[0].present = scene.poi[0].present = 1;
+    struct view view = round_after(3);
+    assert_memory_equal(&view, &tank_rest, sizeof view);
+    scene.bowl[0].present = 0;
+    follows = false;
+    view = round_after(3);
+    assert_memory_equal(&view, &tank_rest, sizeof view);
 }
 
 int main(void)
@@ -298,6 +429,11 @@ int main(void)
         TEST(test_the_camera_shows_a_landed_fish_closely_for_a_moment),
         TEST(test_the_camera_returns_in_the_frame_of_a_touch),
         TEST(test_the_camera_rests_in_a_game),
+        TEST(test_the_camera_comes_closer_and_shows_the_whole_water),
+        TEST(test_the_camera_leans_to_the_side_of_the_poi),
+        TEST(test_the_camera_rests_without_ticks_and_while_the_poi_is_under_water),
+        TEST(test_the_camera_returns_exactly_after_the_round),
+        TEST(test_the_camera_rests_with_two_players_and_if_the_setting_says_so),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

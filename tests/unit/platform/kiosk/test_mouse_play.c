@@ -36,6 +36,7 @@ static struct mouse_player {
     uint32_t moments; /* Length of a frame in moments (intervals of 1/60 s), 1 .. MOMENTS_MAX. */
     float x_px, y_px;
     uint32_t buttons;
+    struct view drawn; /* Camera of the picture before the last frame. */
 } player;
 
 static void frame(void)
@@ -43,6 +44,7 @@ static void frame(void)
     player.poi.reports = player.reports;
     player.poi.feed.count = player.report_count;
     player.poi.feed.next = 0;
+    player.drawn = player.kiosk.scene.view;
     kiosk_frame(&player.kiosk, &player.hal);
     player.report_count = player.moment_count = 0;
     assert_false(
@@ -98,9 +100,10 @@ static void begin_round(uint32_t seed, uint32_t fish_count)
     }
 }
 
+/* Computes the pixel of `point` in the last drawn picture. */
 static void to_screen(vec3 point, float *x_px, float *y_px)
 {
-    const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
+    const struct view *view = &player.kiosk.scene.view;
     const struct basis axes = view_basis(view);
     const vec3 body = vec_basis_to_body(&axes, v3_sub(point, view->eye_m));
     const float aspect = (float)WIDTH / (float)HEIGHT;
@@ -229,6 +232,34 @@ static void test_a_careful_mouse_player_lands_fish_at_10_fps(void **state)
     (void)state;
     assert_true(landed_in(8, 6) >= 24); /* The measured value is 44 fish. The limit leaves room for
                                            small changes of the game. */
+}
+
+/* In a round the camera comes closer to the poi. The poi must stay under the pointer: the input of
+ * a frame is the place that the last drawn picture showed under the pointer. */
+static void test_the_poi_stays_under_the_pointer_while_the_camera_moves(void **state)
+{
+    (void)state;
+    const struct view *rest = &tank_preset(TANK_PRESET_FESTIVAL)->view;
+    begin_round(3, 20);
+    float moved_m = 0.0f, closer_m = 0.0f;
+    for (uint32_t i = 0; i < 600; i++) {
+        const vec3 eye_m = player.kiosk.scene.view.eye_m;
+        player.x_px = 640.0f + 400.0f * f_sin(0.008f * (float)i);
+        player.y_px = 400.0f + 200.0f * f_sin(0.013f * (float)i);
+        moment();
+        float x_px, y_px;
+        struct view shown = player.kiosk.scene.view;
+        player.kiosk.scene.view = player.drawn;
+        to_screen(player.kiosk.input.poi[0].target.position_m, &x_px, &y_px);
+        player.kiosk.scene.view = shown;
+        assert_true(f_abs(x_px - player.last.x_px) < 0.1f);
+        assert_true(f_abs(y_px - player.last.y_px) < 0.1f);
+        moved_m = f_max(moved_m, v3_length(v3_sub(player.kiosk.scene.view.eye_m, eye_m)));
+        closer_m = f_max(closer_m, v3_length(v3_sub(player.kiosk.scene.view.eye_m, rest->eye_m)));
+    }
+    print_message("the camera is at most %.3f m from its rest, and moves %.2f mm in a frame\n",
+                  (double)closer_m, (double)(1000.0f * moved_m));
+    assert_true(closer_m > 0.05f);
 }
 
 static void glide(float px_per_moment, uint32_t count)
@@ -384,6 +415,7 @@ static void test_slow_sweeps_through_the_water_do_not_tear_the_paper(void **stat
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_poi_stays_under_the_pointer_while_the_camera_moves),
         cmocka_unit_test(test_a_careful_mouse_player_lands_fish),
         cmocka_unit_test(test_a_careful_mouse_player_lands_fish_at_20_fps),
         cmocka_unit_test(test_a_careful_mouse_player_lands_fish_at_10_fps),

@@ -235,7 +235,7 @@ static void test_a_recording_of_a_different_version_is_reported(void **state)
     bytes[8] = REPLAY_VERSION + 1u;
     write_file(bytes, size);
     assert_int_equal(scan(&totals), -1);
-    assert_non_null(strstr(reader.problem.text, "version 12"));
+    assert_non_null(strstr(reader.problem.text, "version 13"));
     /* For each old version that this program cannot read, the message must name the version. */
     for (uint8_t old = 1; old < REPLAY_VERSION_MIN; old++) {
         char expected[REPLAY_PROBLEM_SIZE];

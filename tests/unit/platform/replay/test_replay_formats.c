@@ -7,8 +7,9 @@
  * tickets that are still due. A visitor chooses a language, pays and wins a ticket. The next round
  * is refunded because the controller is lost. tests/replay/format-9.replay visits the operator's
  * menu: LEFT and RIGHT move the highlight, and a poi changes values. Then a poi appears over a tag
- * of the mode selection and dips in the left half of the tank. tests/replay/format-10.replay visits
- * the pages of the sound and of the picture in the operator's menu. */
+ * of the mode selection and dips in the left half of the tank. tests/replay/format-10.replay and
+ * tests/replay/format-11.replay visit the pages of the sound and of the picture in the operator's
+ * menu. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,6 +24,7 @@
 #define FORMAT_8 "tests/replay/format-8.replay"
 #define FORMAT_9 "tests/replay/format-9.replay"
 #define FORMAT_10 "tests/replay/format-10.replay"
+#define FORMAT_11 "tests/replay/format-11.replay"
 
 static struct replayer replayer;
 static struct core core;
@@ -103,6 +105,20 @@ static void test_a_format_10_recording_reproduces_its_hashes(void **state)
     assert_int_equal(core.config.persistent.settings.value[SET_TEXT], 1);
 }
 
+static void test_a_format_11_recording_reproduces_its_hashes(void **state)
+{
+    (void)state;
+    begin(FORMAT_11);
+    assert_int_equal(replayer.reader.header.version, 11);
+    play();
+    assert_false(replayer.damaged);
+    assert_false(replayer.difference.found);
+    assert_int_equal(replayer.totals.ticks, 1344);
+    assert_int_equal(core.config.persistent.settings.value[SET_MUSIC], 1);
+    assert_int_equal(core.config.persistent.settings.value[SET_QUIET_FROM_MIN], 15);
+    assert_int_equal(core.config.persistent.settings.value[SET_TIME], 1);
+}
+
 /* A recording that is replayed under the rules of another format must show a difference. */
 static void test_an_older_recording_differs_under_the_rules_of_another_format(void **state)
 {
@@ -110,8 +126,8 @@ static void test_an_older_recording_differs_under_the_rules_of_another_format(vo
     static const struct {
         const char *path;
         uint8_t rules;
-    } wrong[] = { { FORMAT_7, 0 }, { FORMAT_7, 8 }, { FORMAT_8, 0 },
-                  { FORMAT_8, 7 }, { FORMAT_9, 0 }, { FORMAT_10, 0 } };
+    } wrong[] = { { FORMAT_7, 0 }, { FORMAT_7, 8 },  { FORMAT_8, 0 }, { FORMAT_8, 7 },
+                  { FORMAT_9, 0 }, { FORMAT_10, 0 }, { FORMAT_11, 0 } };
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         begin(wrong[i].path);
         core.config.rules = wrong[i].rules;
@@ -128,6 +144,7 @@ int main(void)
         cmocka_unit_test(test_a_format_8_recording_reproduces_its_hashes),
         cmocka_unit_test(test_a_format_9_recording_reproduces_its_hashes),
         cmocka_unit_test(test_a_format_10_recording_reproduces_its_hashes),
+        cmocka_unit_test(test_a_format_11_recording_reproduces_its_hashes),
         cmocka_unit_test(test_an_older_recording_differs_under_the_rules_of_another_format),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
