@@ -4,11 +4,6 @@
 . "$(dirname "$0")/lib.sh"
 
 release=$(cat "$kernel_root/release")
-# The root partition is read-only, the boot loader accepts no kernel parameters, and a crashed kernel restarts after 5 s.
-# fsck answers its own questions with yes, because no operator is present.
-words="quiet fsck.repair=yes loglevel=3 panic=5 oops=panic systemd.getty_auto=0 systemd.gpt_auto=0 vt.global_cursor_default=0 $kernel_words"
-
-fill_initrd() { :; } # The disk of a PC adds nothing.
 
 # For UEFI: systemd's boot loader, without a menu and without an editor for kernel parameters.
 make_boot() {
@@ -17,7 +12,7 @@ make_boot() {
     truncate -s "${boot_size}M" "$fat"
     mkfs.vfat -F 32 -n KINGYO "$fat" >/dev/null
     printf 'timeout 0\neditor no\ndefault kingyo.conf\n' >"$IMAGE/loader.conf"
-    printf 'title Kingyo\nlinux /kingyo/linux\ninitrd /kingyo/initrd\noptions %s\n' "$words" >"$IMAGE/entry.conf"
+    printf 'title Kingyo\nlinux /kingyo/linux\ninitrd /kingyo/initrd\noptions %s\n' "$boot_words" >"$IMAGE/entry.conf"
     mmd -i "$fat" ::/EFI ::/EFI/BOOT ::/loader ::/loader/entries ::/kingyo
     mcopy -i "$fat" "$kernel_root/usr/lib/systemd/boot/efi/systemd-bootx64.efi" ::/EFI/BOOT/BOOTX64.EFI
     mcopy -i "$fat" "$IMAGE/loader.conf" ::/loader/loader.conf
@@ -30,4 +25,4 @@ make_boot() {
 step "the kernel: $release"
 make_initrd bin
 make_boot
-echo "$words" >"$IMAGE/kernel_words"
+echo "$boot_words" >"$IMAGE/kernel_words"

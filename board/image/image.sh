@@ -20,8 +20,6 @@ install_kiosk() { # FOLDER: installs the Debian packages of this tree. packages.
     rm -r "$root/debs"
 }
 
-settle_board() { :; } # The disk of a PC adds nothing.
-
 # Makes the data partition: empty, and owned by the kiosk.
 make_data() {
     rm -f "$IMAGE/data.ext4"
@@ -34,7 +32,7 @@ make_disk() {
     local disk=$IMAGE/kingyo.img.new root_size at=1
     root_size=$((($(stat -c %s "$IMAGE/root.sqfs") + 1048575) / 1048576))
     slot_size=${slot_size:-$((root_size * 3 / 2))}
-    [ "$root_size" -le "$slot_size" ] || { echo "image: the root has $root_size MiB, a slot only $slot_size" >&2; return 1; }
+    check_slot slot_size "$slot_size" "$root_size" || return 1
     rm -f "$disk"
     truncate -s $((boot_size + 2 * slot_size + 1 + data_size + 2))M "$disk"
     sfdisk -q "$disk" <<END

@@ -13,6 +13,9 @@ version=$(sed -n 's/.*define KINGYO_VERSION "\(.*\)".*/\1/p' "$top/core/core.h")
 mkdir -p "$IMAGE" "$BUILD/image/$suite-$arch"
 IMAGE=$(cd "$IMAGE" && pwd) cache=$(cd "$BUILD/image/$suite-$arch" && pwd)
 kernel_root=$cache/kernel
+# Kernel parameters of each disk: the root partition is read-only, and a crashed kernel restarts after 5 s. fsck answers its
+# own questions with yes, because no operator is present.
+boot_words="quiet fsck.repair=yes loglevel=3 panic=5 oops=panic systemd.getty_auto=0 systemd.gpt_auto=0 vt.global_cursor_default=0 $kernel_words"
 usb_disk_modules='usb-storage uas sd_mod vfat exfat nls_cp437 nls_ascii nls_iso8859-1 nls_utf8'
 days_max=7 # Maximum age of a download in days, because mirrors remove old packages.
 made_s=$(git -C "$top" log -1 --format=%ct 2>/dev/null || date +%s)
@@ -79,7 +82,7 @@ make_kernel_modules() { # FOLDER
 }
 
 # Makes the initramfs, $IMAGE/initrd.zst, of a board with two root slots, or of a system that is only an initramfs.
-# fill_initrd adds the files of the board.
+# The sourcing script may define fill_initrd, which adds the files of the board.
 make_initrd() { # FOLDER of busybox in the package
     local image=$IMAGE/initrd
     rm -rf "$image"
@@ -92,7 +95,7 @@ make_initrd() { # FOLDER of busybox in the package
         install -m 644 "$here/slots/slots.sh" "$image/slots.sh"
         make_kernel_modules "$image/kernel-modules"
     fi
-    fill_initrd "$image"
+    ! declare -F fill_initrd >/dev/null || fill_initrd "$image"
     find "$image" -exec touch -h -d "@$made_s" {} +
     (cd "$image" && find . | LC_ALL=C sort | cpio -o -H newc --quiet --reproducible -R 0:0) | zstd -q -f -9 -o "$IMAGE/initrd.zst"
     rm -rf "$image"

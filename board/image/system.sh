@@ -64,7 +64,8 @@ install_updates() { # FOLDER
     fi
 }
 
-# Makes the system of a root slot, $IMAGE/root.sqfs. install_kiosk and settle_board are functions of the sourcing script.
+# Makes the system of a root slot, $IMAGE/root.sqfs. The sourcing script defines install_kiosk, and may define settle_board,
+# which adds the files of the board.
 make_root() {
     local root=$IMAGE/root
     rm -rf --one-file-system "$root"
@@ -72,7 +73,7 @@ make_root() {
     tar -x --numeric-owner -C "$root" -f "$cache/root.tar"
     install_kiosk "$root"
     settle "$root"
-    settle_board "$root"
+    ! declare -F settle_board >/dev/null || settle_board "$root"
     install -d "$root/usr/lib/modules" # The initramfs mounts the modules of its kernel here.
     install_updates "$root"
     strip_root "$root"
@@ -80,6 +81,14 @@ make_root() {
     mksquashfs "$root" "$IMAGE/root.sqfs" -comp $squeeze -noappend -no-progress -quiet -mkfs-time "$made_s" -all-time "$made_s" >/dev/null
     kiosk_owner=$(owner "$root")
     rm -rf --one-file-system "$root"
+}
+
+# Checks that a root slot has room for a later system that is half as large again. Sizes are in MiB.
+check_slot() { # SETTING of image.conf, SIZE of a slot, SIZE of the root
+    [ "$2" -ge $(($3 * 3 / 2)) ] || {
+        echo "image: the root has $3 MiB and needs slots of $(($3 * 3 / 2)) MiB, but $1 in board/$board/image.conf is $2" >&2
+        return 1
+    }
 }
 
 # Makes the state of a new disk (slots/slots.sh): the system of slot a is good.

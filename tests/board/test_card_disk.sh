@@ -7,6 +7,7 @@ cd "$(dirname "$0")/../.." || exit 1
 top=$PWD here=$PWD/board/image
 . board/rpi4/image.conf
 . board/image/card/lib.sh
+. board/image/system.sh
 sys=$work/sys dev=$work/dev id_file=$work/disk_id
 . board/image/card/disk.sh
 echo "$disk_id" >"$id_file"
@@ -36,9 +37,11 @@ card() { # MIB
         field $number size >"$sys/block/mmcblk0/$name/size"
         : >"$dev/$name"
     done
-    reread=0
+    reread=0 waited=0
 }
 blockdev() { reread=$((reread + 1)); }
+await_partitions() { [ "$reread" -eq 1 ] && waited=1; }
+is_block_device() { [ -e "$1" ]; } # The partitions of this test are plain files.
 
 found() { # NAME PARTITION
     find_partition "$1" && readlink "$dev/kingyo/$1" && [ "$(readlink "$dev/kingyo/$1")" = "../mmcblk0p$2" ]
@@ -65,10 +68,10 @@ apart() { # From one partition to the next, the end of the first one is not abov
 }
 check 'no partition overlaps another one' apart
 
-grown() { # MIB: the data partition of a card of this size has all the rest; all else is as before
+grown() { # MIB: the data partition of a card of this size has all the rest; all else is as before, and the partitions are awaited
     local before
     card "$1" && before=$(sfdisk -d "$dev/mmcblk0" | grep -v 'mmcblk0p*4') && find_disk && prepare_disk &&
-        [ "$(field 4 size)" -eq $((($1 - data_at) * 2048 / 8192 * 8192)) ] && [ "$reread" -eq 1 ] && valid &&
+        [ "$(field 4 size)" -eq $((($1 - data_at) * 2048 / 8192 * 8192)) ] && [ "$reread$waited" = 11 ] && valid &&
         [ "$(sfdisk -d "$dev/mmcblk0" | grep -v 'mmcblk0p*4')" = "$before" ]
 }
 for size in 2048 7580 121942; do
@@ -86,4 +89,10 @@ huge() { # The table cannot have the size of such a partition. The kiosk runs wi
     card "$image_mib" && echo 8589934592 >"$sys/block/mmcblk0/size" && find_disk && prepare_disk && [ "$reread" -eq 0 ]
 }
 check 'a disk of 4 TiB keeps the partition of the image' huge
+room() { # The limit, and the line that names the setting and the size that it needs.
+    board=rpi4
+    check_slot root_size 150 100 && ! check_slot root_size 149 100 2>"$work/why" &&
+        grep -q 'has 100 MiB and needs slots of 150 MiB, but root_size in board/rpi4/image.conf is 149' "$work/why"
+}
+check 'a root slot has room for a system that is half as large again' room
 echo "1..$count"

@@ -8,8 +8,6 @@
 . "$here/card/lib.sh"
 
 release=$(cat "$kernel_root/release")
-# The root partition is read-only, and a crashed kernel restarts after 5 s. fsck answers its own questions with yes.
-words="quiet fsck.repair=yes loglevel=3 panic=5 oops=panic systemd.getty_auto=0 systemd.gpt_auto=0 vt.global_cursor_default=0 $kernel_words"
 
 # Adds the files of a card: its partitions are found by the number of the disk. The initramfs of a poi is its whole system:
 # its program, its script and its default settings.
@@ -71,7 +69,7 @@ make_boot() {
         cp "$top/board/$file" "$folder/"
     done
     raspi_config >"$folder/config.txt"
-    echo "$words" >"$folder/cmdline.txt"
+    echo "$boot_words" >"$folder/cmdline.txt"
     find "$folder" -exec touch -h -d "@$made_s" {} +
     truncate -s "${boot_size}M" "$fat"
     mkfs.vfat -F 32 -n KINGYO -i "$disk_id" --invariant "$fat" >/dev/null

@@ -61,10 +61,7 @@ make_boot_disk() {
 make_disk() {
     local disk=$IMAGE/kingyo.img.new size
     size=$((($(stat -c %s "$IMAGE/root.sqfs") + 1048575) / 1048576))
-    [ "$root_size" -ge "$size" ] || {
-        echo "image: the root has $size MiB, and root_size in board/$board/image.conf is $root_size" >&2
-        return 1
-    }
+    check_slot root_size "$root_size" "$size" || return 1
     rm -f "$disk"
     truncate -s $((data_at + data_size + 1))M "$disk"
     partitions | sfdisk -q "$disk"

@@ -23,14 +23,17 @@ partition() { # NUMBER: prints the name of a partition of the card.
     return 1
 }
 
+is_block_device() { [ -b "$1" ]; }
+
 find_partition() { # NAME
     find_disk || return 1
     case $1 in slots) file=$(partition 5) ;; root-a) file=$(partition 6) ;; root-b) file=$(partition 7) ;; esac
-    [ -e "$dev/${file:-none}" ] && ln -sf "../$file" "$dev/kingyo/$1"
+    is_block_device "$dev/${file:-none}" && ln -sf "../$file" "$dev/kingyo/$1"
 }
 
 # Enlarges the data partition to the end of a card that is larger than the image: writes the number of sectors to the
-# partition table. kingyo-grow.service then enlarges the file system. Numbers have 32 bits, as in the table.
+# partition table. kingyo-grow.service then enlarges the file system. Numbers have 32 bits, as in the table. The kernel
+# removes all partitions and detects them again. Returns 1 if no root slot appears again.
 prepare_disk() {
     data=$(partition 4) || return 0
     start=$(cat "$disk/$data/start") have=$(cat "$disk/$data/size")
@@ -39,6 +42,5 @@ prepare_disk() {
     printf "$(printf '\\%03o\\%03o\\%03o\\%03o' $((want & 255)) $((want >> 8 & 255)) $((want >> 16 & 255)) $((want >> 24 & 255)))" |
         dd of="$dev/${disk##*/}" bs=1 seek=506 conv=notrunc,fsync 2>/dev/null
     blockdev --rereadpt "$dev/${disk##*/}"
-    sleep 0.1
-    return 0
+    await_partitions
 }
