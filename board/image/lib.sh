@@ -9,6 +9,7 @@ top=$(cd "$here/../.." && pwd)
 board=${1:?usage: BOARD} BUILD=${BUILD:-build}
 IMAGE=${IMAGE:-$BUILD/image/$board}
 . "$top/board/$board/image.conf"
+. "$here/update/drivers.sh"
 version=$(sed -n 's/.*define KINGYO_VERSION "\(.*\)".*/\1/p' "$top/core/core.h")
 mkdir -p "$IMAGE" "$BUILD/image/$suite-$arch"
 IMAGE=$(cd "$IMAGE" && pwd) cache=$(cd "$BUILD/image/$suite-$arch" && pwd)
@@ -16,7 +17,6 @@ kernel_root=$cache/kernel
 # Kernel parameters of each disk: the root partition is read-only, and a crashed kernel restarts after 5 s. fsck answers its
 # own questions with yes, because no operator is present.
 boot_words="quiet fsck.repair=yes loglevel=3 panic=5 oops=panic systemd.getty_auto=0 systemd.gpt_auto=0 vt.global_cursor_default=0 $kernel_words"
-usb_disk_modules='usb-storage uas sd_mod vfat exfat nls_cp437 nls_ascii nls_iso8859-1 nls_utf8'
 days_max=7 # Maximum age of a download in days, because mirrors remove old packages.
 made_s=$(git -C "$top" log -1 --format=%ct 2>/dev/null || date +%s)
 # Public key of minisign for updates, and the number of this version, which rises with each commit.

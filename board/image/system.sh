@@ -50,7 +50,7 @@ install_updates() { # FOLDER
     install -m 644 "$here/slots/slots.sh" "$root/usr/lib/kingyo/slots.sh"
     install -m 755 "$here/slots/mark-good" "$root/usr/lib/kingyo/mark-good"
     install -m 755 "$here/update/kingyo-update" "$root/usr/lib/kingyo/kingyo-update"
-    install -m 644 "$here/update/package.sh" "$root/usr/lib/kingyo/package.sh"
+    install -m 644 "$here"/update/{package,drivers}.sh -t "$root/usr/lib/kingyo/"
     printf 'board %s\nversion %s\nname %s\n' "$board" "$update_version" "$update_name" >"$IMAGE/update-version"
     install -m 644 "$IMAGE/update-version" "$root/usr/lib/kingyo/update-version"
     ln -s /etc/systemd/system/kingyo-slot-good.service "$root/etc/systemd/system/multi-user.target.wants/"
