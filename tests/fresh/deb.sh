@@ -13,25 +13,13 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 arch=${ARCH:-}
 release=${1:-$([ -n "$arch" ] && echo trixie || echo bookworm)}
-build=$(realpath "${BUILD:-build}")
 if [ "$(id -u)" -ne 0 ]; then
     echo 'test-deb: making a root file system needs root; please run: sudo make test-deb' >&2
     exit 1
 fi
 [ -z "$arch" ] || board/deb/emulate.sh "$arch" || exit 1
-. tests/fresh/root.sh deb
-tar=$build/fresh/deb-$release${arch:+-$arch}.tar
-libraries=libsdl2-2.0-0,libgles2,libegl1,libgl1-mesa-dri,libusb-1.0-0,libgpiod3,libsqlite3-0
-mkdir -p "$build/fresh"
-if [ -z "$(find "$tar" -mtime -7 2>/dev/null)" ]; then
-    mapfile -t sources < <(board/debian_sources.sh "$release" test-deb)
-    # mmdebstrap cannot see that the emulator works without the package arch-test.
-    mmdebstrap --quiet --format=tar --variant=minbase --aptopt='APT::Install-Recommends "false"' \
-        --include="systemd,udev,init-system-helpers${arch:+,$libraries}" \
-        ${arch:+--architectures="$arch" --skip=check/qemu} "$release" "$tar.new" "${sources[@]}" || exit 1
-    mv "$tar.new" "$tar"
-fi
-unpack_root "$tar" || exit 1
+. tests/fresh/root.sh
+make_root "deb-$release${arch:+-$arch}" "$release" "${arch:-$(dpkg --print-architecture)}" "${arch:+$libraries}" || exit 1
 
 inside() { chroot "$root" env DEBIAN_FRONTEND=noninteractive PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C "$@"; }
 dpkg_inside() { inside dpkg --force-depends "$@"; }
@@ -40,9 +28,9 @@ debs() { # VERSION: Makes both packages and copies them into the root.
         VERSION=$1 BUILD=$build board/deb/cross.sh "$arch" deb && cp "$build"/deb/kingyo{,-kiosk}_"$1"_*.deb "$root/tmp/"
         return
     fi
-    mkdir -p "$top/build-$1"
-    ln -s "$build/kingyo" "$build/kingyoctl" "$build/man" "$top/build-$1/"
-    VERSION=$1 BUILD=$top/build-$1 board/deb/deb.sh && cp "$top/build-$1"/deb/*.deb "$root/tmp/"
+    mkdir -p "$work/build-$1"
+    ln -s "$build/kingyo" "$build/kingyoctl" "$build/man" "$work/build-$1/"
+    VERSION=$1 BUILD=$work/build-$1 board/deb/deb.sh && cp "$work/build-$1"/deb/*.deb "$root/tmp/"
 }
 # Installs one package after another in the order of apt. The option force is needed, because dpkg
 # would refuse this order.
@@ -81,10 +69,10 @@ check 'an upgrade succeeds without a question' both 0.0.9
 check 'an upgrade keeps the takings' is_kept
 check 'an upgrade keeps the configuration' grep -qx 'price = 2' "$conf"
 check 'an upgrade keeps the service enabled' test -L "$wants"
-inside systemctl disable kingyo.service >"$top/disabled" 2>&1
+inside systemctl disable kingyo.service >"$work/disabled" 2>&1
 stays_off() { both 0.0.8 && both 0.0.9 && [ ! -e "$wants" ]; }
 check 'an upgrade keeps a disabled service disabled' stays_off
-inside systemctl enable kingyo.service >"$top/enabled" 2>&1
+inside systemctl enable kingyo.service >"$work/enabled" 2>&1
 check 'the packages can be removed' dpkg_inside -r kingyo-kiosk kingyo
 check 'a removal keeps the takings' is_kept
 check 'a removal keeps the configuration' grep -qx 'price = 2' "$conf"

@@ -3,27 +3,17 @@
 # as a person runs them on Raspberry Pi OS, and checks what they leave behind.
 #
 # The commands are read from the page. Programs of the root run by qemu's emulation of user programs. The root has no
-# kernel, no firmware, no card and no raspi-config. Therefore `mount`, `raspi-config` and `systemctl daemon-reload` only record
-# their arguments.
-# The commands that change a card in another computer run on files.
+# kernel, no firmware, no card and no raspi-config. Therefore `mount`, `raspi-config` and `systemctl daemon-reload` only
+# record their arguments, and the commands that change a card in another computer run on files.
 #
 # The packages are those of `make deb ARCH=arm64`. Needs root, mmdebstrap and this machine's mirror. Speaks TAP.
 set -u
 board=${1:-rpi5}
 cd "$(dirname "$0")/../.." || exit 1
-build=$(realpath "${BUILD:-build}") page=board/cabinet/README.md
+page=board/cabinet/README.md
 board/deb/emulate.sh arm64 || exit 1
-. tests/fresh/root.sh pi
-tar=$build/fresh/pi-os.tar
-mkdir -p "$build/fresh"
-if [ -z "$(find "$tar" -mtime -7 2>/dev/null)" ]; then
-    mapfile -t sources < <(board/debian_sources.sh trixie pi-os)
-    mmdebstrap --quiet --format=tar --variant=minbase --aptopt='APT::Install-Recommends "false"' --architectures=arm64 --skip=check/qemu \
-        --include='systemd,udev,init-system-helpers,sudo,device-tree-compiler,libsdl2-2.0-0,libgles2,libegl1,libgl1-mesa-dri,libusb-1.0-0,libgpiod3,libsqlite3-0' \
-        trixie "$tar.new" "${sources[@]}" || exit 1
-    mv "$tar.new" "$tar"
-fi
-unpack_root "$tar" || exit 1
+. tests/fresh/root.sh
+make_root pi-os trixie arm64 "sudo,device-tree-compiler,$libraries" || exit 1
 
 inside() { # COMMAND...: runs in the user's folder of the root, with programs that record their arguments first in the path
     chroot "$root" env -C /home/pi DEBIAN_FRONTEND=noninteractive PATH=/home/recorders:/usr/sbin:/usr/bin LC_ALL=C.UTF-8 "$@"
@@ -76,9 +66,9 @@ check 'a root like Raspberry Pi OS is prepared' prepare
 check 'the packages can be installed with apt' runs Setup 2
 check 'the overlay can be compiled' runs Setup 3
 named() { # The overlay is applied to a tree with a node that has the label of the header, and names its lines.
-    printf '/dts-v1/;\n/ { compatible = "brcm,bcm2712"; gpio: gpio { }; };\n' | dtc -q -@ -I dts -O dtb -o "$top/base" - &&
-        fdtoverlay -i "$top/base" -o "$top/tree" "$root/boot/firmware/overlays/kingyo-cabinet.dtbo" &&
-        fdtget "$top/tree" /gpio gpio-line-names | grep -w START_LAMP
+    printf '/dts-v1/;\n/ { compatible = "brcm,bcm2712"; gpio: gpio { }; };\n' | dtc -q -@ -I dts -O dtb -o "$work/base" - &&
+        fdtoverlay -i "$work/base" -o "$work/tree" "$root/boot/firmware/overlays/kingyo-cabinet.dtbo" &&
+        fdtget "$work/tree" /gpio gpio-line-names | grep -w START_LAMP
 }
 check 'the overlay names the lines of the header' named
 check 'the settings of the firmware can be appended' runs Setup 4
@@ -110,15 +100,15 @@ check 'the user of the kiosk may use the screen' user_groups video
 
 echo /home/pi >"$root/home/pi/folder"
 check 'the data partition can be set up' runs 'A read-only root' 2
-valid() { inside findmnt --verify --tab-file /etc/fstab 2>&1 | tee "$top/verified"; grep '^0 parse errors' "$top/verified"; }
+valid() { inside findmnt --verify --tab-file /etc/fstab 2>&1 | tee "$work/verified"; grep '^0 parse errors' "$work/verified"; }
 check 'fstab can be parsed' valid
 mounted() { grep -x 'mount /var/lib/kingyo' "$root/home/pi/recorded" && [ "$(inside stat -c %U:%G /var/lib/kingyo)" = kingyo:kingyo ]; }
 check 'the partition is mounted, and belongs to the kiosk' mounted
 check 'the check of the data starts at power on' enabled kingyo-data.service
 check 'the kiosk can be set to start without the partition' runs 'A read-only root' 3
 in_force() { # The last lines of the unit and its drop-ins: the kiosk has no state folder, so no mount is required.
-    inside systemd-analyze cat-config systemd/system/kingyo.service >"$top/unit" && grep -x '^Type=notify' "$top/unit" &&
-        [ "$(grep '^StateDirectory=' "$top/unit" | tail -1)" = StateDirectory= ] && grep -x 'ReadWritePaths=-/var/lib/kingyo' "$top/unit"
+    inside systemd-analyze cat-config systemd/system/kingyo.service >"$work/unit" && grep -x '^Type=notify' "$work/unit" &&
+        [ "$(grep '^StateDirectory=' "$work/unit" | tail -1)" = StateDirectory= ] && grep -x 'ReadWritePaths=-/var/lib/kingyo' "$work/unit"
 }
 check 'the drop-in belongs to the unit of the kiosk' in_force
 check 'the root can be made read-only' runs 'A read-only root' 4
@@ -128,24 +118,24 @@ check 'raspi-config is asked for the two steps' overlay
 # ---- The card in another computer
 
 # The table is in one file, and each file system in another, because this machine may have no devices for partitions.
-size_of() { sfdisk -d "$top/sdX" | sed -n "s/.*sdX$1 :.* size= *\([0-9]*\),.*/\1/p"; }
+size_of() { sfdisk -d "$work/sdX" | sed -n "s/.*sdX$1 :.* size= *\([0-9]*\),.*/\1/p"; }
 card_steps() {
-    truncate -s 16G "$top/sdX"
-    printf 'label: dos\nstart=4M, size=512M, type=c\nstart=516M, type=83\n' | sfdisk -q "$top/sdX"
-    truncate -s $(($(size_of 2) * 512)) "$top/sdX2" && mkfs.ext4 -q "$top/sdX2"
-    commands 'A read-only root' 1 | sed "s,/dev/,$top/,g; s/^sudo //; s/| sudo /| /; s/^mkfs/truncate -s 8G ${top//\//\\/}\/sdX3; mkfs/" >"$top/steps"
-    cat "$top/steps"
-    (cd "$top" && bash -e "$top/steps")
+    truncate -s 16G "$work/sdX"
+    printf 'label: dos\nstart=4M, size=512M, type=c\nstart=516M, type=83\n' | sfdisk -q "$work/sdX"
+    truncate -s $(($(size_of 2) * 512)) "$work/sdX2" && mkfs.ext4 -q "$work/sdX2"
+    commands 'A read-only root' 1 | sed "s,/dev/,$work/,g; s/^sudo //; s/| sudo /| /; s/^mkfs/truncate -s 8G ${work//\//\\/}\/sdX3; mkfs/" >"$work/steps"
+    cat "$work/steps"
+    (cd "$work" && bash -e "$work/steps")
 }
 check 'the commands for the card in another computer run' card_steps
 fits() { # The file system fits into the smaller partition, and is valid.
     local blocks
-    blocks=$(dumpe2fs -h "$top/sdX2" 2>/dev/null | sed -n 's/^Block count: *//p')
-    [ $((blocks * 8)) -le "$(size_of 2)" ] && e2fsck -fn "$top/sdX2"
+    blocks=$(dumpe2fs -h "$work/sdX2" 2>/dev/null | sed -n 's/^Block count: *//p')
+    [ $((blocks * 8)) -le "$(size_of 2)" ] && e2fsck -fn "$work/sdX2"
 }
 check 'the root file system fits into its partition' fits
 check 'the data partition has the rest of the card' test "$(size_of 3)" -gt 15000000
-labeled() { [ "$(blkid -s LABEL -o value "$top/sdX3")" = kingyo-data ]; }
+labeled() { [ "$(blkid -s LABEL -o value "$work/sdX3")" = kingyo-data ]; }
 check 'the data partition has the label of fstab' labeled
 echo "1..$count"
 exit $failed
