@@ -77,6 +77,7 @@ guest_shot() { # NAME [dark|light], of build/vm/GUEST/shots/NAME.png
 guest_listen() {
     local line
     while read -r line; do
+        line=${line%$'\r'} # A serial console ends its lines with it.
         set -- $line
         [ "${2-}" = shot ] && guest_shot "$3" "${4-}"
         heard "$line"

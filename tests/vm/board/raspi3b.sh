@@ -64,7 +64,7 @@ qemu_words() {
 }
 
 heard() { # Handles one line of the console.
-    set -- ${1//$'\r'/}
+    set -- $1
     [ "${1-}" = kt ] || return 0
     case ${2-} in
         ok | bad) record_result "${@:2}" ;;

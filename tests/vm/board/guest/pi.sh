@@ -40,6 +40,14 @@ shows_attract() { [ "$(phase)" = attract ]; }
 
 property() { systemctl show -P "$2" "$1"; }
 
+# Prints the state of the kiosk each minute, because its first picture takes many minutes in this emulator.
+watch_kiosk() {
+    while sleep 60; do
+        say "kiosk $(property kingyo.service ActiveState), $(($(property kingyo.service CPUUsageNSec) / 1000000000)) s of processor time, $(up) s after power on"
+    done
+}
+
+echo # systemd has written to this console without an end of line.
 say "booted $(tr -d '\0' </proc/device-tree/model), $(uname -r), $(up) s after power on"
 card=$(readlink -f "$(findmnt -no SOURCE /)") # A name in /dev/kingyo is a link.
 [ "$card" = /dev/mmcblk0p6 ] && [ "$(findmnt -no FSTYPE /)" = squashfs ]
@@ -60,8 +68,11 @@ found $? watchdog "$identity, limit $(cat /sys/class/watchdog/watchdog0/timeout)
 lines=$(kingyoctl lines list)
 names_match
 found $? names "$(echo "$lines" | grep -cw 'START\|COIN\|DOOR\|TILT') of 4 lines on $(echo "$lines" | grep -w START)"
+watch_kiosk &
+watcher=$!
 await 3000 shows_attract
 found $? status "phase $(phase), $(up) s after power on"
+kill $watcher
 say 'shot tank'
 sleep 40 # The host takes the picture.
 failed=$(systemctl --failed --no-legend --plain | cut -d' ' -f1 | tr '\n' ' ')
