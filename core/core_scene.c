@@ -156,6 +156,7 @@ static void show_poi(const struct core *core, uint32_t index, struct scene_poi *
     out->position_m = poi->position_m;
     out->angles = poi->angles;
     out->handle_rad = poi->link == POI_SOURCE_BOT ? bot_handle_rad(&core->world, index) : 0.0f;
+    out->left_hand = core->world.bowl[index].home_m.x < 0.0f;
     out->ring_radius_m = poi_radius_m(poi);
     /* Paper that is about to tear is stretched and sags deeper. */
     out->warning = sheet_warning(&poi->sheet);

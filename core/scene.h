@@ -94,6 +94,8 @@ struct scene_poi {
     /* Rotation of the drawn handle about the axis of the ring, in rad. The handle of a bot points
      * to the bot's place at the tank. 0 for the poi of a player, whose handle follows `angles`. */
     float handle_rad;
+    /* 1 if a left hand holds the poi, because the player's bowl is on the left. */
+    uint8_t left_hand;
     float ring_radius_m; /* Inner radius of the ring, at the paper's edge. */
     /* Depth of the sagging paper below the ring's plane; a negative value means that the paper
      * bulges upward. */

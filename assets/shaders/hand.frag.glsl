@@ -12,9 +12,7 @@ void main()
         discard;
     }
 #endif
-    vec3 dyed = mix(tint.rgb, vec3(0.98, 0.96, 0.90) * tint.a, texture(cloth, place.xy).r);
-    float nail = max(0.2 - 0.2 * dot(place.xy, place.xy), 0.0);
-    vec3 c = tint.a > 0.0 ? dyed : tint.rgb + nail;
+    vec3 c = mix(tint.rgb, vec3(0.98, 0.96, 0.90) * tint.a, texture(cloth, place.xy).r);
 #ifdef INSIDE
     color = vec4(c, 1.0);
 #else

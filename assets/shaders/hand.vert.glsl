@@ -7,10 +7,10 @@ uniform mat4 frames[3];                 // Of the hand, the forearm and the slee
 uniform vec4 paint;                     // Colour of the player. w: factor for the sleeve's length.
 invariant gl_Position;                  // The outline joins the inside without a gap.
 out vec4 tint;      // rgb: colour. a: light on the pattern of the cloth, or 0 on skin.
-out vec3 place;     // xy: place in the pattern of the cloth, or relative to the nail of the thumb.
-                    // z: cosine of the angle to the viewer.
+out vec3 place;     // xy: place in the pattern of the cloth. z: cosine of the angle to the viewer.
 
 const float CUFF_Z = 6.3;               // As in hand_pass.c.
+const vec2 BLANK = vec2(0.5, 0.0);      // Place without a flower in the pattern of the cloth.
 
 void main()
 {
@@ -19,13 +19,9 @@ void main()
     rest.z = is_skin ? rest.z : CUFF_Z + (rest.z - CUFF_Z) * paint.w;
     float bent = smoothstep(4.6, 5.5, rest.z);
     vec3 share = is_skin ? vec3(1.0 - bent, bent, 0.0) : vec3(0.0, 0.0, 1.0);
-    vec3 world = vec3(0.0);
-    vec3 n = vec3(0.0);
-    for (int i = 0; i < 3; i++) {
-        world += share[i] * (frames[i] * vec4(rest, 1.0)).xyz;
-        n += share[i] * (mat3(frames[i]) * normal);
-    }
-    n = normalize(n);
+    mat4 frame = share.x * frames[0] + share.y * frames[1] + share.z * frames[2];
+    vec3 world = (frame * vec4(rest, 1.0)).xyz;
+    vec3 n = normalize(mat3(frame) * normal);
     vec3 ray = world - eye.xyz;
     float facing = dot(n, -normalize(ray));
     // The lanterns of the stall also light the hands beside the tank.
@@ -44,8 +40,7 @@ void main()
     vec3 left = max(water_passes(-world.y * 2.0), 0.8); // The hand remains visible in deep water.
     tint.rgb = mix(WATER_COLOR, lit * (is_skin ? skin : dyed), left);
     tint.a = is_skin ? 0.0 : lit.g * left.g;
-    vec2 nail = (rest.xz - vec2(0.0, 2.63)) / vec2(0.115, 0.15) + (rest.y < 0.2 ? 9.0 : 0.0);
-    place.xy = is_skin ? nail : vec2(surface.y, rest.z) * 0.72;
+    place.xy = is_skin ? BLANK : vec2(surface.y, rest.z) * 0.72;
     place.z = facing;
     gl_Position = view_projection * vec4(world, 1.0);
     // Everything below the top of the rim has the depth of a thin layer above the rim, so that no

@@ -55,27 +55,29 @@ static const struct bone bones[] = {
 #define BLEND 0.10f /* Width of the smooth transition between two bones. */
 #define STEPS_MAX 12u
 #define INSIDE 0.02f /* Depth from which a vertex is hidden inside the hand. */
-/* The rows of a finger whose `v` is above 1 / TIP_FROM close its tip. */
+/* The rows of the thumb whose `v` is above 1 / TIP_FROM close its tip. */
 #define TIP_FROM 1.25f
 
-#define FINGER_COLUMNS 7u
-#define FINGER_ROWS 7u
-#define THUMB_COLUMNS 8u
-#define THUMB_ROWS 8u
-#define PALM_COLUMNS 12u
-#define PALM_ROWS 9u
+/* Number of joints of a finger, from the knuckle to the end of the last bone. */
+#define JOINT_COUNT (FINGER_BONES + 1u)
+#define THUMB_COLUMNS 7u
+#define THUMB_ROWS 7u
+#define FIST_COLUMNS 18u
+#define FIST_ROWS (JOINT_COUNT + 2u)
+#define PALM_COLUMNS 11u
+#define PALM_ROWS 7u
 #define SLEEVE_COLUMNS 13u
-#define SLEEVE_ROWS 9u
+#define SLEEVE_ROWS 4u
 
 /* Position of the wrist, and start and end of the sleeve along the forearm, in the mesh. */
 #define WRIST_X 0.22f
 #define WRIST_Y 0.14f
 #define WRIST_Z 5.0f
 #define CUFF_Z 6.3f
-#define CUFF_V 0.25f
+#define CUFF_V (1.0f / 3.0f)
 #define PALM_END_Z 7.2f
-#define PALM_BEND 0.7f
-#define PALM_CAP 0.3f
+#define PALM_BEND (4.0f / 6.0f)
+#define PALM_CAP (2.0f / 6.0f)
 #define SLEEVE_END_Z 12.3f
 /* Front end of the hand along the handle, half of the largest width of the arm, and number of
  * straight parts of which the picture of the arm is assumed to consist. */
@@ -116,13 +118,13 @@ static vec3 normal_at(vec3 p)
     return v3_normalize_or(slope, v3(0.0f, 1.0f, 0.0f));
 }
 
-/* Returns the point at which a ray from `from`, a point inside the hand, leaves the hand. Returns
- * the point at the distance `reach` if the ray does not leave the hand before. */
+/* Returns the point at which a ray from `from` leaves the hand. Returns `from` if it is outside the
+ * hand, and the point at the distance `reach` if the ray does not leave the hand before. */
 static vec3 leave_hand(vec3 from, vec3 way, float reach)
 {
     float at = 0.0f;
     for (uint32_t i = 0; i < STEPS_MAX && at < reach; i++) {
-        at -= distance_to(v3_muladd(from, way, at));
+        at = f_max(at - distance_to(v3_muladd(from, way, at)), 0.0f);
     }
     return v3_muladd(from, way, f_min(at, reach));
 }
@@ -148,25 +150,105 @@ static vec3 around(vec3 along, vec3 across, float turn)
     return v3_add(v3_scale(side, f_cos(turn * F_TAU)), v3_scale(up, f_sin(turn * F_TAU)));
 }
 
-/* Returns a point of a finger. `v` runs from the knuckle to the tip, and `context` is the finger's
- * first bone. */
-static struct shape_vertex finger_point(float u, float v, const void *context)
+/* Returns a point of the thumb. `v` runs from the wrist to the tip. The last rows close the tip as
+ * a part of a sphere. */
+static struct shape_vertex thumb_point(float u, float v, const void *context)
 {
-    const struct bone *const finger = context;
+    (void)context;
     const float at = f_min(v * TIP_FROM, 1.0f) * (float)FINGER_BONES;
     const uint32_t index = at < (float)FINGER_BONES ? (uint32_t)at : FINGER_BONES - 1u;
-    const struct bone *const bone = finger + index;
+    const struct bone *const bone = &bones[index];
     const float t = at - (float)index;
     const vec3 along = v3_normalize_or(v3_sub(bone->to, bone->from), v3(0.0f, 0.0f, -1.0f));
-    /* The fingers bend in planes across the handle, and the thumb lies along the handle. */
-    const vec3 across = finger == bones ? v3(0.0f, 1.0f, 0.0f) : v3(0.0f, 0.0f, 1.0f);
-    /* The last rows close the tip as a part of a sphere. */
     const float tip = f_max(v * TIP_FROM - 1.0f, 0.0f) / (TIP_FROM - 1.0f);
-    const vec3 way = v3_add(v3_scale(around(along, across, u), f_cos(0.5f * F_PI * tip)),
-                            v3_scale(along, f_sin(0.5f * F_PI * tip)));
+    const vec3 way =
+        v3_add(v3_scale(around(along, v3(0.0f, 1.0f, 0.0f), u), f_cos(0.5f * F_PI * tip)),
+               v3_scale(along, f_sin(0.5f * F_PI * tip)));
     const float radius = f_lerp(bone->from_radius, bone->to_radius, t);
-    return (struct shape_vertex){ .position = leave_hand(v3_lerp(bone->from, bone->to, t), way,
-                                                         1.12f * radius) };
+    const vec3 centre = v3_lerp(bone->from, bone->to, t);
+    return (struct shape_vertex){ .position = leave_hand(centre, way, 1.12f * radius), .u = 1.0f };
+}
+
+/* Returns joint `joint` of a finger. Joint 0 is the knuckle. */
+static vec3 joint_of(uint32_t finger, uint32_t joint)
+{
+    const struct bone *const first = &bones[finger * FINGER_BONES];
+    CORE_ASSERT(joint < JOINT_COUNT);
+    return joint == 0 ? first->from : first[joint - 1u].to;
+}
+
+/* Returns the direction of a finger at joint `joint`. */
+static vec3 tangent_of(uint32_t finger, uint32_t joint)
+{
+    const uint32_t before = joint > 0 ? joint - 1u : 0;
+    const uint32_t after = joint + 1u < JOINT_COUNT ? joint + 1u : joint;
+    return v3_normalize_or(v3_sub(joint_of(finger, after), joint_of(finger, before)),
+                           v3(0.0f, -1.0f, 0.0f));
+}
+
+/* Sources of the normal of a vertex: the slope of the distance, the grid, and the common direction
+ * of the inner sides of the fingers, which would otherwise fade where they meet the tips. */
+#define NORMAL_SLOPE 0.0f
+#define NORMAL_GRID 1.0f
+#define NORMAL_INNER 2.0f
+
+/* A column of the fingers, which are closed together. */
+struct fist_column {
+    float finger; /* 0 for the index finger, 3 for the little finger. */
+    float turn;   /* Turns around the finger: 0 on its back, 0.25 toward the little finger. */
+};
+
+/* Returns a point of the four fingers. `v` runs from the knuckles to the tips. `u` runs around the
+ * fingers: from the side of the index finger over the backs, and back along the inner sides. `v` of
+ * the vertex is the source of its normal. */
+static struct shape_vertex fist_point(float u, float v, const void *context)
+{
+    (void)context;
+    static const struct fist_column columns[FIST_COLUMNS] = {
+        { 0.0f, -0.25f }, { 0.0f, -0.10f }, { 0.0f, 0.10f },  { 0.5f, 0.0f },  { 1.0f, -0.10f },
+        { 1.0f, 0.10f },  { 1.5f, 0.0f },   { 2.0f, -0.10f }, { 2.0f, 0.10f }, { 2.5f, 0.0f },
+        { 3.0f, -0.10f }, { 3.0f, 0.10f },  { 3.0f, 0.25f },  { 3.0f, 0.5f },  { 2.0f, 0.5f },
+        { 1.0f, 0.5f },   { 0.0f, 0.5f },   { 0.0f, 0.75f },
+    };
+    const float row = v * (float)(FIST_ROWS - 1u);
+    const float at = f_min(row, (float)(JOINT_COUNT - 1u));
+    const uint32_t joint = at < (float)(JOINT_COUNT - 1u) ? (uint32_t)at : JOINT_COUNT - 2u;
+    const float t = at - (float)joint;
+    const float column = u * (float)(FIST_COLUMNS - 1u);
+    const uint32_t from =
+        column < (float)(FIST_COLUMNS - 1u) ? (uint32_t)column : FIST_COLUMNS - 2u;
+    const float part = column - (float)from;
+    const float place = f_lerp(columns[from].finger, columns[from + 1u].finger, part);
+    const float turn = f_lerp(columns[from].turn, columns[from + 1u].turn, part);
+    const uint32_t finger = place < 3.0f ? 1u + (uint32_t)place : 3u;
+    const float share = place - (float)(finger - 1u);
+    vec3 centre[2], along[2];
+    for (uint32_t i = 0; i < 2u; i++) {
+        centre[i] = v3_lerp(joint_of(finger + i, joint), joint_of(finger + i, joint + 1u), t);
+        along[i] = v3_lerp(tangent_of(finger + i, joint), tangent_of(finger + i, joint + 1u), t);
+    }
+    const vec3 tangent = v3_normalize_or(v3_lerp(along[0], along[1], share), along[0]);
+    const vec3 across =
+        v3_normalize_or(v3_lerp(v3_sub(joint_of(4u, joint), joint_of(1u, joint)),
+                                v3_sub(joint_of(4u, joint + 1u), joint_of(1u, joint + 1u)), t),
+                        v3(0.0f, 0.0f, 1.0f));
+    const vec3 outward = v3_normalize_or(v3_cross(across, tangent), v3(1.0f, 0.0f, 0.0f));
+    const float c = f_cos(turn * F_TAU), s = f_sin(turn * F_TAU);
+    const vec3 ring = v3_add(v3_scale(outward, c), v3_scale(across, s));
+    const float tip = 0.25f * F_PI * f_max(row - (float)(JOINT_COUNT - 1u), 0.0f);
+    const vec3 way = v3_add(v3_scale(ring, f_cos(tip)), v3_scale(tangent, f_sin(tip)));
+    /* A column between two fingers lies low, and little light falls there. The tips are joined. */
+    const bool is_between = f_abs(share - 0.5f) < 0.4f;
+    const bool is_tip = row > (float)FIST_ROWS - 1.5f;
+    const bool is_inner = f_abs(turn - 0.5f) < 0.1f && row > 1.5f;
+    const vec3 low = leave_hand(v3_lerp(centre[0], centre[1], share), way, 0.05f);
+    const vec3 high =
+        v3_lerp(leave_hand(centre[0], way, 0.3f), leave_hand(centre[1], way, 0.3f), share);
+    return (struct shape_vertex){ .position = is_between && !is_tip ? low : high,
+                                  .u = is_between ? 0.5f : 1.0f,
+                                  .v = is_inner     ? NORMAL_INNER
+                                       : is_between ? NORMAL_GRID
+                                                    : NORMAL_SLOPE };
 }
 
 /* Returns a point of the palm and the forearm. `v` runs from the knuckles to the forearm. The first
@@ -182,7 +264,7 @@ static struct shape_vertex palm_point(float u, float v, const void *context)
     const float ahead = 0.5f * F_PI * f_max(PALM_CAP - v, 0.0f) / PALM_CAP;
     const vec3 ring = around(v3(0.0f, 0.0f, 1.0f), v3(0.0f, 1.0f, 0.0f), u);
     const vec3 way = v3_add(v3_scale(ring, f_cos(ahead)), v3(0.0f, 0.0f, -f_sin(ahead)));
-    return (struct shape_vertex){ .position = leave_hand(centre, way, 1.2f) };
+    return (struct shape_vertex){ .position = leave_hand(centre, way, 1.2f), .u = 1.0f };
 }
 
 /* Returns a point of the sleeve. The first rows are the inside of the cuff. The sleeve is widest at
@@ -211,24 +293,25 @@ static struct shape_vertex sleeve_point(float u, float v, const void *context)
 
 void hand_mesh(struct shape *shape)
 {
-    const uint32_t first = shape->vertex_count;
     CORE_ASSERT(BONE_COUNT > PALM_FIRST);
+    /* Parts that hide others come first, so that hidden pixels are not shaded. */
+    shape_grid(shape, SLEEVE_COLUMNS, SLEEVE_ROWS, sleeve_point, NULL);
+    const uint32_t first = shape->vertex_count;
+    shape_grid(shape, THUMB_COLUMNS, THUMB_ROWS, thumb_point, NULL);
     shape_grid(shape, PALM_COLUMNS, PALM_ROWS, palm_point, NULL);
-    shape_grid(shape, THUMB_COLUMNS, THUMB_ROWS, finger_point, bones);
-    for (uint32_t i = 1; i < FINGER_COUNT; i++) {
-        shape_grid(shape, FINGER_COLUMNS, FINGER_ROWS, finger_point, bones + i * FINGER_BONES);
-    }
+    shape_grid(shape, FIST_COLUMNS, FIST_ROWS, fist_point, NULL);
     for (uint32_t i = first; i < shape->vertex_count; i++) {
         struct shape_vertex *const vertex = &shape->vertices[i];
-        /* A vertex inside another finger keeps the normal of its tube, because the slope of the
-         * distance may point anywhere there. */
-        if (distance_to(vertex->position) > -INSIDE) {
+        /* A vertex inside the hand keeps the normal of the grid, because the slope of the distance
+         * may point anywhere there. */
+        if (vertex->v == NORMAL_INNER) {
+            vertex->normal = v3(-0.39f, 0.92f, 0.0f);
+        } else if (vertex->v == NORMAL_SLOPE && distance_to(vertex->position) > -INSIDE) {
             vertex->normal = normal_at(vertex->position);
         }
-        vertex->u = openness(vertex->position, vertex->normal);
+        vertex->u *= openness(vertex->position, vertex->normal);
         vertex->v = -1.0f; /* A negative value means skin. */
     }
-    shape_grid(shape, SLEEVE_COLUMNS, SLEEVE_ROWS, sleeve_point, NULL);
 }
 
 /* Returns axes whose `back` is `back` and whose `up` is as near to `up` as possible. */
@@ -243,7 +326,7 @@ static struct basis axes_along(vec3 back, vec3 up)
 static vec3 way_to_player(const struct scene *scene, const struct scene_poi *poi, vec3 back)
 {
     const bool is_turned = view_basis(&scene->view).right.z < -0.5f;
-    const vec3 near = view_to_world(is_turned, v3(0.25f, 0.0f, 1.0f));
+    const vec3 near = view_to_world(is_turned, v3(poi->left_hand ? -0.25f : 0.25f, 0.0f, 1.0f));
     const vec3 flat = v3_normalize_or(v3_flat(back), near);
     return v3_normalize_or(poi->handle_rad != 0.0f ? flat : v3_muladd(near, flat, 0.8f), near);
 }
@@ -262,7 +345,10 @@ void hand_frames_of(struct hand_frames *out, const struct scene *scene, const st
 {
     const float unit_m = poi->ring_radius_m;
     CORE_ASSERT(unit_m > 0.0f);
-    const struct basis hand = scene_handle_axes(poi);
+    /* The mesh is a right hand. Its mirror image is a left hand. */
+    const float side = poi->left_hand ? -1.0f : 1.0f;
+    struct basis hand = scene_handle_axes(poi);
+    hand.right = v3_scale(hand.right, side);
     const vec3 wrist = v3(WRIST_X, WRIST_Y, WRIST_Z);
     const vec3 wrist_m = v3_muladd(poi->position_m, vec_basis_to_world(&hand, wrist), unit_m);
     const vec3 way = way_to_player(scene, poi, hand.back);
@@ -273,8 +359,10 @@ void hand_frames_of(struct hand_frames *out, const struct scene *scene, const st
         f_clamp(f_max(high_m / f_sqrt(high_m * high_m + far_m * far_m), needed), 0.0f, RISE_MAX);
     const float level = f_sqrt(1.0f - rise * rise);
     const vec3 along = v3_muladd(v3_scale(way, level), v3(0.0f, 1.0f, 0.0f), rise);
-    const struct basis arm = axes_along(along, hand.up);
-    const struct basis sleeve = axes_along(along, v3(0.0f, 1.0f, 0.0f));
+    struct basis arm = axes_along(along, hand.up);
+    struct basis sleeve = axes_along(along, v3(0.0f, 1.0f, 0.0f));
+    arm.right = v3_scale(arm.right, side);
+    sleeve.right = v3_scale(sleeve.right, side);
     const vec3 back = v3_scale(wrist, 0.0f - unit_m);
     poi_pose_of_axes(out->matrices[0], poi->position_m, &hand, unit_m);
     poi_pose_of_axes(out->matrices[1], v3_add(wrist_m, vec_basis_to_world(&arm, back)), &arm,
@@ -407,9 +495,11 @@ void hand_pass_draw(const struct hand_pass *pass, const struct scene *scene, enu
             const float *const paint = poi_paint(scene->poi[i].owner);
             glUniformMatrix4fv(program->frames, HAND_FRAMES, GL_FALSE, frames->matrices[0]);
             glUniform4f(program->paint, paint[0], paint[1], paint[2], frames->stretch);
+            glFrontFace(scene->poi[i].left_hand ? GL_CW : GL_CCW);
             shape_draw(&pass->mesh);
         }
     }
+    glFrontFace(GL_CCW);
     glDepthFunc(GL_LEQUAL);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);

@@ -49,6 +49,21 @@ static void test_the_first_dip_chooses_the_side_of_the_bowl(void **state)
     }
 }
 
+static void test_the_hand_is_the_one_on_the_side_of_the_bowl(void **state)
+{
+    (void)state;
+    open_side(BOWL_BY_FIRST_DIP, 1, 0);
+    dip_and_wait(LEFT_M);
+    assert_int_equal(look()->poi[0].left_hand, 1);
+    open_side(BOWL_BY_FIRST_DIP, 2, 0);
+    dip_and_wait(LEFT_M);
+    hold(1, v3(LEFT_M, ABOVE_M, 0.0f));
+    tick();
+    assert_int_equal(look()->poi[0].left_hand, 0);
+    assert_true(look()->poi[1].present);
+    assert_int_equal(look()->poi[1].left_hand, 1);
+}
+
 static void test_start_gives_the_right_side(void **state)
 {
     (void)state;
@@ -119,6 +134,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_first_dip_chooses_the_side_of_the_bowl),
+        cmocka_unit_test(test_the_hand_is_the_one_on_the_side_of_the_bowl),
         cmocka_unit_test(test_start_gives_the_right_side),
         cmocka_unit_test(test_the_setting_fixes_the_side),
         cmocka_unit_test(test_the_bowls_of_several_players_keep_their_places),

@@ -16,12 +16,26 @@ static struct shape shape;
 /* Distance along the handle, in ring radii, at which the player's number is drawn. */
 #define NUMBER_AT 2.3f
 
+static void test_the_mesh_has_about_400_triangles(void **state)
+{
+    (void)state;
+    uint32_t count = 0;
+    shape.vertex_count = shape.index_count = 0;
+    hand_mesh(&shape);
+    for (uint32_t i = 0; i < shape.index_count; i += 3) {
+        const struct shape_vertex *const a = &shape.vertices[shape.indices[i]];
+        const vec3 ab = v3_sub(shape.vertices[shape.indices[i + 1u]].position, a->position);
+        const vec3 ac = v3_sub(shape.vertices[shape.indices[i + 2u]].position, a->position);
+        count += v3_length(v3_cross(ab, ac)) > 1e-6f;
+    }
+    assert_in_range(count, 370, 430);
+}
+
 static void test_the_mesh_leaves_the_ring_and_the_number_on_the_handle_free(void **state)
 {
     (void)state;
     shape.vertex_count = shape.index_count = 0;
     hand_mesh(&shape);
-    assert_in_range(shape.index_count / 3u, 300, 800);
     for (uint32_t i = 0; i < shape.vertex_count; i++) {
         const struct shape_vertex *const vertex = &shape.vertices[i];
         assert_true(vertex->position.z > NUMBER_AT);
@@ -70,6 +84,7 @@ static struct scene_poi *hold(vec3 at_m, struct angles angles, float handle_rad)
     poi->handle_rad = handle_rad;
     poi->sag_m = 0.0f;
     poi->water_m = 0.0f;
+    poi->left_hand = 0;
     memset(poi->integrity, 255, sizeof poi->integrity);
     return poi;
 }
@@ -94,6 +109,24 @@ static void test_the_arm_of_a_person_comes_from_the_near_side(void **state)
         /* The forearm is less steep than the view of the camera, so that the forearm runs down the
          * picture and away from the paper. */
         assert_true(way.y < 0.73f * v3_length(way));
+    }
+}
+
+static void test_a_left_hand_is_the_mirror_image_of_a_right_hand(void **state)
+{
+    (void)state;
+    const vec3 points[] = { { 0.62f, 0.24f, 3.46f }, { 0.22f, 0.14f, 8.0f }, { 1.1f, 0.5f, 9.0f } };
+    core_scene(&core, &scene);
+    struct scene_poi *const poi = hold(v3(0.0f, 0.02f, 0.0f), (struct angles){ 0 }, 0.0f);
+    struct hand_frames right, left;
+    hand_frames_of(&right, &scene, poi);
+    poi->left_hand = 1;
+    hand_frames_of(&left, &scene, poi);
+    poi->left_hand = 0;
+    for (uint32_t k = 0; k < HAND_FRAMES; k++) {
+        const vec3 a = moved(right.matrices[k], points[k]), b = moved(left.matrices[k], points[k]);
+        assert_true(a.x > 0.02f);
+        assert_true(v3_length(v3_sub(v3(0.0f - a.x, a.y, a.z), b)) < 1e-5f);
     }
 }
 
@@ -156,8 +189,7 @@ static uint32_t compare_without_hands(void)
     const GLsizei whole = display.renderer.hand.mesh.index_count;
     uint32_t changed = 0;
     picture(pixels[0]);
-    display.renderer.hand.mesh.index_count = 3; /* The first triangle, at the top of the palm, has
-                                                   no area. */
+    display.renderer.hand.mesh.index_count = 3; /* One triangle inside the sleeve. */
     picture(pixels[1]);
     display.renderer.hand.mesh.index_count = whole;
     for (uint32_t i = 0; i < PIXELS_SIZE; i++) {
@@ -180,14 +212,20 @@ static void test_a_hand_is_drawn_but_hides_no_paper(void **state)
     assert_int_equal(changed_paper(&scene.poi[1]), 0);
     assert_true(display.renderer.hand.frames[0].covers_paper);
     assert_false(display.renderer.hand.frames[1].covers_paper);
+    scene.poi[1].left_hand = 1;
+    assert_true(compare_without_hands() > PIXELS_SIZE / 50u);
+    assert_int_equal(changed_paper(&scene.poi[0]), 0);
+    assert_int_equal(changed_paper(&scene.poi[1]), 0);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_mesh_has_about_400_triangles),
         cmocka_unit_test(test_the_mesh_leaves_the_ring_and_the_number_on_the_handle_free),
         cmocka_unit_test(test_the_thumb_lies_on_the_handle_and_fingers_wrap_it),
         WITH_DISPLAY(test_the_arm_of_a_person_comes_from_the_near_side),
+        WITH_DISPLAY(test_a_left_hand_is_the_mirror_image_of_a_right_hand),
         WITH_DISPLAY(test_the_arm_of_a_bot_follows_the_handle),
         WITH_DISPLAY(test_the_arm_ends_outside_the_tank),
         WITH_DISPLAY(test_a_hand_is_drawn_but_hides_no_paper),
