@@ -15,7 +15,7 @@
 #include "core/view.h"
 
 /* Screens with a smaller aspect ratio (width over height) use the portrait canvas. */
-#define POINTER_UPRIGHT_ASPECT 0.61f
+#define POINTER_UPRIGHT_ASPECT 0.78f
 
 /* Height of a controller's pose below which its pointer presses. */
 #define POINTER_PRESS_Y_M 0.010f
