@@ -129,16 +129,20 @@ static void show_sheet(const struct sheet *sheet, struct scene_poi *out)
 #define PLAYER_AWAY_M 0.40f
 
 /* Returns the rotation of the drawn handle of a bot about the axis of the ring, in rad, so that the
- * handle points to the place of the player. The players 0 and 1 stand at the near side of the tank,
- * and the players 2 and 3 at the ends of the tank. */
-static float bot_handle_rad(const struct world *world, uint32_t index)
+ * handle points to the place of the player. On a wide screen, the players 0 and 1 stand at the near
+ * side of the tank, and the players 2 and 3 at the ends of the tank. On a portrait screen
+ * (`turned`), the players whose bowls are in the near half stand at the near end, and the others at
+ * the sides. */
+static float bot_handle_rad(const struct world *world, uint32_t index, bool turned)
 {
     const struct poi *const poi = &world->poi[index];
     const vec3 bowl_m = tank_preset(world->tank.preset)->bowl_m[index];
     const vec3 half_m = v3_scale(world->tank.size_m, 0.5f);
-    const float side = bowl_m.x < 0.0f ? -1.0f : 1.0f;
-    const vec3 place_m = index < 2u ? v3(bowl_m.x, 0.0f, half_m.z + PLAYER_AWAY_M)
-                                    : v3(side * (half_m.x + PLAYER_AWAY_M), 0.0f, bowl_m.z);
+    const bool is_at_end = turned ? bowl_m.x > 0.0f : index >= 2u;
+    const float end_m = half_m.x + PLAYER_AWAY_M, side_m = half_m.z + PLAYER_AWAY_M;
+    const float near = turned && bowl_m.z < 0.0f ? -1.0f : 1.0f;
+    const vec3 place_m = is_at_end ? v3(bowl_m.x < 0.0f ? -end_m : end_m, 0.0f, bowl_m.z)
+                                   : v3(bowl_m.x, 0.0f, near * side_m);
     const struct basis axes = vec_basis_from_angles(poi->angles);
     const vec3 way = vec_basis_to_body(&axes, v3_sub(place_m, poi->position_m));
     return f_atan2(way.x, way.z);
@@ -155,8 +159,15 @@ static void show_poi(const struct core *core, uint32_t index, struct scene_poi *
     }
     out->position_m = poi->position_m;
     out->angles = poi->angles;
-    out->handle_rad = poi->link == POI_SOURCE_BOT ? bot_handle_rad(&core->world, index) : 0.0f;
-    out->left_hand = core->world.bowl[index].home_m.x < 0.0f;
+    if (poi->link == POI_SOURCE_BOT) {
+        out->handle_rad = bot_handle_rad(&core->world, index, false);
+        out->turned_handle_rad = bot_handle_rad(&core->world, index, true);
+    } else {
+        out->handle_rad = out->turned_handle_rad = 0.0f;
+    }
+    const vec3 bowl_m = core->world.bowl[index].home_m;
+    out->left_hand = bowl_m.x < 0.0f;
+    out->turned_left_hand = view_from_world(true, bowl_m).x < 0.0f;
     out->ring_radius_m = poi_radius_m(poi);
     /* Paper that is about to tear is stretched and sags deeper. */
     out->warning = sheet_warning(&poi->sheet);

@@ -96,6 +96,9 @@ struct scene_poi {
     float handle_rad;
     /* 1 if a left hand holds the poi, because the player's bowl is on the left. */
     uint8_t left_hand;
+    /* The same two values for a portrait screen (scene_use_turned()). */
+    float turned_handle_rad;
+    uint8_t turned_left_hand;
     float ring_radius_m; /* Inner radius of the ring, at the paper's edge. */
     /* Depth of the sagging paper below the ring's plane; a negative value means that the paper
      * bulges upward. */
@@ -426,3 +429,14 @@ struct scene {
     /* Progress of the fast playback before the round of the score, [0, 1]. */
     float playback_progress;
 };
+
+/* Changes the scene from a wide screen to a portrait screen, whose player stands at the short side
+ * of the tank: the camera, the handles of bots, and the hands. A second call changes nothing. */
+static inline void scene_use_turned(struct scene *scene)
+{
+    scene->view = scene->turned_view;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        scene->poi[i].handle_rad = scene->poi[i].turned_handle_rad;
+        scene->poi[i].left_hand = scene->poi[i].turned_left_hand;
+    }
+}

@@ -43,6 +43,9 @@ static void present_view(struct kiosk *kiosk, const struct hal *hal)
                            kiosk->output.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
     const uint8_t phase = kiosk->output.phase;
     const bool is_turned = kiosk->input.is_turned != 0;
+    if (is_turned) {
+        scene_use_turned(&kiosk->scene);
+    }
     const struct view rest = is_turned ? kiosk->scene.turned_view : kiosk->rest_view;
     struct view view = rest;
     output_camera_step(&kiosk->camera, &kiosk->dimmer, &kiosk->scene, is_turned,

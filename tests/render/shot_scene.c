@@ -214,7 +214,7 @@ void shot_scene(const struct shot_options *options, struct scene *scene)
     open_page(options, &output, &scene->devices);
     core_scene(&core, scene);
     if (shot_is_upright(options)) {
-        scene->view = scene->turned_view;
+        scene_use_turned(scene);
     }
     if (options->plain) {
         scene->phase = PHASE_WORDLESS;

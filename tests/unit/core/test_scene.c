@@ -394,25 +394,34 @@ static void test_building_the_scene_does_not_change_the_state(void **state)
 }
 
 /* The bot plays in attract mode with every yaw that its technique chooses. The players 0 and 1
- * stand at the near side of the tank, the players 2 and 3 at its ends. */
-static void test_the_handle_of_a_bot_points_to_the_place_of_the_bot(void **state)
+ * stand at the near side of the tank, the players 2 and 3 at its ends. On a portrait screen, player
+ * 0 stands at the near end. */
+static void test_hand_and_handle_of_a_bot_fit_its_place_and_bowl(void **state)
 {
     (void)state;
     float least = 1.0f;
-    for (uint32_t i = 0; i < 200; i++) {
-        tick(10);
+    for (uint32_t i = 0; i < 400; i++) {
+        const bool is_turned = i % 2u != 0;
+        tick(5);
         core_scene(&core, &scene);
+        vec3 place_m = v3(0.335f, 0.0f, 0.5f * scene.tank_size_m.z + 0.4f);
+        if (is_turned) {
+            scene_use_turned(&scene);
+            place_m = v3(0.5f * scene.tank_size_m.x + 0.4f, 0.0f, 0.185f);
+        }
         const struct scene_poi *const poi = &scene.poi[0];
         assert_int_equal(poi->present, 1);
+        /* The bowl of player 0 is on the right of a wide screen, and on the left of a portrait
+         * screen. */
+        assert_int_equal(poi->left_hand, is_turned);
         const struct basis axes = scene_handle_axes(poi);
-        const vec3 place_m = v3(0.335f, 0.0f, 0.5f * scene.tank_size_m.z + 0.4f);
         const vec3 way = v3_sub(place_m, poi->position_m);
         /* The handle lies in the plane of the ring. Seen along the axis of the ring, it points to
          * the place. */
         assert_true(f_abs(v3_dot(axes.back, vec_basis_from_angles(poi->angles).up)) < 1e-3f);
         assert_true(f_abs(v3_dot(axes.right, way)) < 1e-3f);
         assert_true(v3_dot(axes.back, way) > 0.0f);
-        least = f_min(least, axes.back.z);
+        least = f_min(least, is_turned ? axes.back.x : axes.back.z);
     }
     assert_true(least > 0.3f);
 }
@@ -421,7 +430,7 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
-        TEST(test_the_handle_of_a_bot_points_to_the_place_of_the_bot),
+        TEST(test_hand_and_handle_of_a_bot_fit_its_place_and_bowl),
         TEST(test_the_shape_of_every_fish_follows_its_age),
         TEST(test_the_fish_of_a_festival_have_many_ages),
         TEST(test_fish_have_the_positions_of_the_tank),

@@ -131,7 +131,9 @@ static float upright_y(uint8_t id, float aspect, vec3 point_m)
 static void test_the_tank_fills_a_portrait_screen(void **state)
 {
     (void)state;
-    static const float aspects[] = { 9.0f / 21.0f, 9.0f / 16.0f, 0.625f, 2.0f / 3.0f, 0.75f, 0.77f };
+    static const float aspects[] = {
+        9.0f / 21.0f, 9.0f / 16.0f, 0.625f, 2.0f / 3.0f, 0.75f, 0.77f
+    };
     for (uint32_t k = 0; k < 6u * TANK_PRESET_COUNT; k++) {
         const uint8_t id = (uint8_t)(k / 6u);
         const struct tank_preset *preset = tank_preset(id);
@@ -139,7 +141,7 @@ static void test_the_tank_fills_a_portrait_screen(void **state)
         const float x = 0.5f * preset->size_m.z, z = 0.5f * preset->size_m.x;
         const float far = upright_y(id, aspect, v3(-x, 0.0f, -z));
         const float near = upright_y(id, aspect, v3(x, 0.0f, z));
-        /* On a screen of 9:16, the water takes at least 55 % of the height, which is 2. */
+        /* From a screen of 9:16 on, the water takes at least 55 % of the height, which is 2. */
         assert_true(aspect < 0.56f || far - near >= 2.0f * 0.55f);
         for (uint32_t i = 0; i < POI_MAX; i++) {
             upright_y(id, aspect, view_from_world(true, preset->bowl_m[i]));
