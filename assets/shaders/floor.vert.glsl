@@ -5,8 +5,6 @@ out vec3 gain;  // Factor of the light of the caustics.
 out vec3 added; // Colour that the water adds.
 out float bright; // Fraction of the light of the caustics that no shade absorbs.
 
-const vec3 VINYL = vec3(0.53, 0.88, 0.97);
-
 void main()
 {
     ivec2 cell = ivec2(gl_VertexID >> 1, gl_InstanceID + (gl_VertexID & 1));
@@ -20,7 +18,7 @@ void main()
     at = world.xz;
     // A shade on the floor absorbs only a part of the light, because light also comes from the sides.
     vec3 lamps = lamp_light(world);
-    gain = VINYL * lamps * left * ((0.95 + 0.05 * fold) * (0.66 + 0.36 * dim))
+    gain = vinyl.rgb * lamps * left * ((0.95 + 0.05 * fold) * (0.66 + 0.36 * dim))
         * (1.0 - shade * vec3(0.92, 0.84, 0.76));
     added = WATER_COLOR * lamps * (1.0 - 0.5 * shade) * (1.0 - left);
     bright = evening.w * (1.0 - 0.8 * shade);

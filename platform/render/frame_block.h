@@ -23,8 +23,9 @@ struct frame_block {
     float evening[4];
     float water_tint[4];
     float sky_glow[4];
+    float vinyl[4];
 };
-_Static_assert(sizeof(struct frame_block) == 240, "the block has the layout of common.glsl");
+_Static_assert(sizeof(struct frame_block) == 256, "the block has the layout of common.glsl");
 
 /* Values of the camera that the C code reads. The shaders do not read these values. */
 struct frame_view {

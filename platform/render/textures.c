@@ -23,6 +23,7 @@ void textures_open(struct gl_status *status, struct textures *textures)
                                                                .height = ASSET_CAUSTICS_SIZE,
                                                                .layers = ASSET_CAUSTICS_FRAMES,
                                                                .pixels = asset_caustics,
+                                                               .mipmaps = true,
                                                                .wrap = GL_REPEAT });
     textures->patterns = gl_texture(status, "patterns",
                                     &(struct gl_texture_desc){ .internal_format = GL_RG8,

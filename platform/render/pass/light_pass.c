@@ -42,7 +42,7 @@ void light_pass_open(struct gl_status *status, struct light_pass *pass)
     glGenVertexArrays(1, &pass->no_attributes);
     glGenVertexArrays(1, &pass->casters);
     gl_target_open(status, "caustics", &pass->caustics,
-                   &(struct gl_target_desc){ .internal_format = GL_R8,
+                   &(struct gl_target_desc){ .internal_format = GL_RG8,
                                              .width = ASSET_CAUSTICS_SIZE,
                                              .height = ASSET_CAUSTICS_SIZE,
                                              .wrap = GL_REPEAT });
