@@ -143,7 +143,7 @@ static void tick_pois(struct core *core, const struct input *input,
         }
     }
     part_rings(core, live);
-    const struct stall stall = { &core->world.tank, core->world.bowl, POI_MAX };
+    const struct stall stall = { &core->world.tank, core->world.bowl, POI_MAX, false };
     bowl_buoyancy_tick(&stall, core->world.poi, live, POI_MAX);
 }
 
@@ -231,10 +231,11 @@ static void tick_fish(struct core *core, const struct input *input)
     }
 }
 
-static void tick_catch(struct core *core, const uint8_t live[POI_MAX],
+static void tick_catch(struct core *core, const struct input *input, const uint8_t live[POI_MAX],
                        struct catch_result caught[POI_MAX], struct output *output)
 {
-    const struct stall stall = { &core->world.tank, core->world.bowl, POI_MAX };
+    const struct stall stall = { &core->world.tank, core->world.bowl, POI_MAX,
+                                 input->is_turned != 0 };
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (live[i] && !parking_is_parked(&core->game, i)) {
             catch_tick(&core->world.poi[i], i, &stall, core->game.tick, output, caught);
@@ -267,12 +268,12 @@ static void record_tears(struct core *core, const uint8_t live[POI_MAX])
 /* Plays the sounds that fish make at the surface: gulps, and the splash of an escape, whose drops
  * the function also adds. The state of the fish alone determines the times, so no state is
  * necessary. The synthesiser drops sounds that follow each other too closely. */
-static void sound_fish(struct core *core, struct output *output)
+static void sound_fish(struct core *core, bool is_turned, struct output *output)
 {
     const struct tank *tank = &core->world.tank;
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         const struct fish *fish = &tank->fish[i];
-        const float pan = f_clamp(2.0f * fish->position_m.x / tank->size_m.x, -1.0f, 1.0f);
+        const float pan = view_pan(is_turned, tank->size_m, fish->position_m);
         if (surface_gulps(fish, core->game.tick, CORE_TICK_S)) {
             output_sound(output, SOUND_GULP, GULP_GAIN, pan);
         } else if (fish->gait == GAIT_ESCAPE && fish->escape_s >= SPLASH_AFTER_S &&
@@ -306,7 +307,8 @@ static void add_splashes(struct core *core, const uint8_t live[POI_MAX],
 
 /* Announces the near misses of the players in a round. */
 static void watch_near_misses(struct core *core, const uint8_t live[POI_MAX],
-                              const struct catch_result caught[POI_MAX], struct output *output)
+                              const struct catch_result caught[POI_MAX], bool is_turned,
+                              struct output *output)
 {
     const struct tank *tank = &core->world.tank;
     for (uint32_t i = 0; i < POI_MAX && core->game.phase == PHASE_ROUND; i++) {
@@ -314,8 +316,8 @@ static void watch_near_misses(struct core *core, const uint8_t live[POI_MAX],
         const bool plays = live[i] && !core->game.paused && !parking_is_parked(&core->game, i);
         if (plays && near_miss_tick(&core->world.near_miss[i], poi, tank, caught[i].slipped,
                                     core->game.tick)) {
-            const float pan = 2.0f * poi->position_m.x / tank->size_m.x;
-            output_sound(output, SOUND_MISS, 0.6f, f_clamp(pan, -1.0f, 1.0f));
+            output_sound(output, SOUND_MISS, 0.6f,
+                         view_pan(is_turned, tank->size_m, poi->position_m));
         }
     }
 }
@@ -350,13 +352,14 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
     tick_pois(core, input, targets, live);
     tick_water(core, live);
     tick_fish(core, input);
-    sound_fish(core, output);
+    sound_fish(core, input->is_turned != 0, output);
     record_tears(core, live);
     write_poi_forces(core, live, output);
-    tick_catch(core, live, caught, output);
+    tick_catch(core, input, live, caught, output);
     add_splashes(core, live, caught);
-    watch_near_misses(core, live, caught, output);
-    game_score(core->game.player, &core->game.album, &core->game, &core->world, caught, output);
+    watch_near_misses(core, live, caught, input->is_turned != 0, output);
+    game_score(core->game.player, &core->game.album, &core->game, &core->world, caught,
+               input->is_turned != 0, output);
     core->game.tick++;
     if (session_is_over(&core->game)) {
         session_restart(&core->game, &core->config);

@@ -57,6 +57,9 @@ struct sound_levels {
     float ambience; /* Sounds around the stall: crowd, cicadas, bubbles and water. */
     uint32_t song;  /* Seed of the music. A change starts the music from its first part. */
     bool has_pump;  /* True if the air pump bubbles. */
+    /* True if the players see the air stone on the right, as on a portrait screen; else the stone
+     * is on the left. */
+    bool is_stone_right;
 };
 
 /* Force feedback for one poi. Force and torque are the reactions of water, fish and walls in world

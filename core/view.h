@@ -38,6 +38,14 @@ static inline vec3 view_from_world(bool is_turned, vec3 v)
     return is_turned ? v3(0.0f - v.z, v.y, v.x) : v;
 }
 
+/* Returns the stereo position of the place `at_m` in a tank of the size `size_m`, both in the axes
+ * of the world: from -1 at the player's left end of the tank to 1 at the right end. */
+static inline float view_pan(bool is_turned, vec3 size_m, vec3 at_m)
+{
+    const float width_m = f_abs(view_from_world(is_turned, size_m).x);
+    return f_clamp(2.0f * view_from_world(is_turned, at_m).x / width_m, -1.0f, 1.0f);
+}
+
 /* Yaw in rad that a pose has in the world if its yaw is 0 in the player's axes. */
 #define VIEW_TURN_RAD (90.0f * F_DEG)
 

@@ -32,7 +32,8 @@ static void render(void *context, Uint8 *bytes, int size)
         .effects = (float)(packed & 255u) / 255.0f,
         .music = (float)(packed >> 8 & 255u) / 255.0f,
         .ambience = (float)(packed >> 16 & 255u) / 255.0f,
-        .has_pump = packed >> 24 != 0,
+        .has_pump = (packed >> 24 & 1u) != 0,
+        .is_stone_right = (packed >> 25 & 1u) != 0,
         .song = atomic_load(&audio->song),
     };
     mixer_set_levels(&audio->mixer, &levels);
@@ -173,7 +174,8 @@ static void audio_set_levels(void *self, const struct sound_levels *levels)
     atomic_store(&audio->song, levels->song);
     atomic_store(&audio->levels, level_byte(levels->effects) | level_byte(levels->music) << 8 |
                                      level_byte(levels->ambience) << 16 |
-                                     (levels->has_pump ? 1u << 24 : 0u));
+                                     (levels->has_pump ? 1u << 24 : 0u) |
+                                     (levels->is_stone_right ? 1u << 25 : 0u));
 }
 
 static const char *audio_describe(void *self)

@@ -37,7 +37,8 @@ struct audio {
     struct sound_event queue[AUDIO_QUEUE_MAX];
     atomic_uint pushed, taken;
     /* Levels for the audio thread: effects, music and ambience, one byte (0 to 255) each from
-     * the lowest byte on, and in the highest byte 1 if the air pump bubbles. */
+     * the lowest byte on. Bit 24 is 1 if the air pump bubbles, and bit 25 if its air stone is on
+     * the right. */
     atomic_uint levels;
     atomic_uint song; /* Seed of the music (struct sound_levels). */
 };

@@ -114,15 +114,16 @@ bool player_has_poi(const struct world *world, uint32_t index);
 
 /* Detects shadows that are held over fish before the start of a round, and records them as fouls. A
  * fan's shadow is always a foul. A poi's shadow is a foul only if its controller has moved since
- * READY began. */
+ * READY began. `is_turned` is as in game_score(). */
 void score_fouls_before_start(struct player player[POI_MAX], const struct game *game,
-                              const struct world *world, struct output *output);
+                              const struct world *world, bool is_turned, struct output *output);
 
 /* Runs the last step of a tick: counts the fish that reached the bowls, as the mode's rules
- * require. */
+ * require. `is_turned` is as in struct input, so that the sound of a foul comes from the player's
+ * side. */
 void game_score(struct player player[POI_MAX], struct album *album, const struct game *game,
                 const struct world *world, const struct catch_result caught[POI_MAX],
-                struct output *output);
+                bool is_turned, struct output *output);
 
 /* Returns the easiest level of the players in the current round, or in the last round until attract
  * mode begins. All fish follow this level, and all scores of the round rank at this level. Only

@@ -18,6 +18,7 @@
 #include "core/game/table_setup.h"
 #include "core/input.h"
 #include "core/poi/world.h"
+#include "core/view.h"
 
 void round_ready_begin(struct game *game, struct world *world, const struct core_config *config,
                        struct output *output)
@@ -64,7 +65,6 @@ static void begin_round(struct game *game, struct world *world, struct output *o
 void round_ready_tick(struct game *game, struct world *world, struct core_config *config,
                       const struct input *input, struct output *output)
 {
-    (void)input;
     const uint32_t elapsed = game->tick - game->phase_tick;
     const uint32_t total = rules_of(game->mode)->ready_s * CORE_TICK_HZ;
     CORE_ASSERT(game->phase == PHASE_READY);
@@ -78,7 +78,7 @@ void round_ready_tick(struct game *game, struct world *world, struct core_config
         }
     }
     world->tank.temper = rules_of_level(game_level(game))->temper;
-    score_fouls_before_start(game->player, game, world, output);
+    score_fouls_before_start(game->player, game, world, input->is_turned != 0, output);
     if (elapsed >= total) {
         begin_round(game, world, output);
     }
@@ -118,7 +118,7 @@ enum time_call round_call_at(uint32_t elapsed_ticks, uint32_t total_ticks)
 /* Handles paper that cannot hold a fish any more. The paper is replaced when the poi is out of the
  * water, because a replacement under water would make the poi jump. */
 static void watch_paper(struct player players[POI_MAX], const struct game *game,
-                        struct world *world, const struct core_config *config,
+                        struct world *world, const struct core_config *config, bool is_turned,
                         struct output *output)
 {
     CORE_ASSERT(game->mode < MODE_COUNT);
@@ -133,7 +133,8 @@ static void watch_paper(struct player players[POI_MAX], const struct game *game,
             player->torn_tick = game->tick;
             player->first_torn_tick =
                 player->first_torn_tick ? player->first_torn_tick : game->tick - game->paused_ticks;
-            output_sound(output, SOUND_GONE, 1.0f, 0.0f);
+            output_sound(output, SOUND_GONE, 1.0f,
+                         view_pan(is_turned, world->tank.size_m, poi->position_m));
         }
         if (!renews) {
             player->out = 1;
@@ -202,7 +203,6 @@ static void begin_result(struct game *game, struct world *world, const struct co
 void round_tick(struct game *game, struct world *world, struct core_config *config,
                 const struct input *input, struct output *output)
 {
-    (void)input;
     CORE_ASSERT(game->phase == PHASE_ROUND);
     player_tick_pause(game, world);
     world->tank.temper = rules_of_level(game_level(game))->temper;
@@ -228,7 +228,7 @@ void round_tick(struct game *game, struct world *world, struct core_config *conf
     }
     const uint32_t total = game->round_s * CORE_TICK_HZ;
     const uint32_t elapsed = game->tick - game->phase_tick;
-    watch_paper(game->player, game, world, config, output);
+    watch_paper(game->player, game, world, config, input->is_turned != 0, output);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         in_round += game->player[i].plays && !game->player[i].out;
     }

@@ -10,9 +10,11 @@
 #include "core/game/rules.h"
 #include "core/game/table_setup.h"
 #include "core/poi/world.h"
+#include "core/view.h"
 
-/* Records a foul of kind `kind` by `player`. Also counts the foul if the mode counts fouls. */
-static void commit_foul(struct player *player, const struct game *game, enum foul kind,
+/* Records a foul of kind `kind` by `player`. Also counts the foul if the mode counts fouls, and
+ * then plays the whistle at the stereo position `pan`. */
+static void commit_foul(struct player *player, const struct game *game, enum foul kind, float pan,
                         struct output *output)
 {
     CORE_ASSERT(kind < FOUL_COUNT);
@@ -26,7 +28,13 @@ static void commit_foul(struct player *player, const struct game *game, enum fou
     player->foul = (uint8_t)kind;
     player->foul_tick = game->tick;
     player->out |= player->fouls == FOUL_MAX;
-    output_sound(output, SOUND_FOUL, 1.0f, 0.0f);
+    output_sound(output, SOUND_FOUL, 1.0f, pan);
+}
+
+/* Returns the stereo position of the bowl of player `index`. */
+static float pan_of_bowl(const struct world *world, uint32_t index, bool is_turned)
+{
+    return view_pan(is_turned, world->tank.size_m, world->bowl[index].position_m);
 }
 
 /* ---- Fouls before the start of the round ---------------------------------------------------- */
@@ -60,7 +68,7 @@ static void watch_stance(struct player *player, const struct game *game, const s
 /* Records a foul by each player whose shadow has rested over fish for FOUL_SHADE_S. The time of a
  * shadow counts only from the start of READY, even if the shadow was already present before. */
 void score_fouls_before_start(struct player player[POI_MAX], const struct game *game,
-                              const struct world *world, struct output *output)
+                              const struct world *world, bool is_turned, struct output *output)
 {
     const float ready_s = (float)(game->tick - game->phase_tick) * CORE_TICK_S;
     const struct tank *tank = &world->tank;
@@ -77,7 +85,7 @@ void score_fouls_before_start(struct player player[POI_MAX], const struct game *
                        tank_shade_count(tank, &shades[k]->cast) > 0;
         }
         if (world->bowl[i].present && is_foul) {
-            commit_foul(&player[i], game, FOUL_SHADE, output);
+            commit_foul(&player[i], game, FOUL_SHADE, pan_of_bowl(world, i, is_turned), output);
         }
     }
 }
@@ -86,7 +94,7 @@ void score_fouls_before_start(struct player player[POI_MAX], const struct game *
 
 void game_score(struct player player[POI_MAX], struct album *album, const struct game *game,
                 const struct world *world, const struct catch_result caught[POI_MAX],
-                struct output *output)
+                bool is_turned, struct output *output)
 {
     if (game->phase != PHASE_ROUND) {
         return;
@@ -106,11 +114,12 @@ void game_score(struct player player[POI_MAX], struct album *album, const struct
             /* Record no foul, because the player does not control the poi at present. */
             continue;
         }
+        const float pan = pan_of_bowl(world, i, is_turned);
         if (caught[i].poured > 0) {
-            commit_foul(&player[i], game, FOUL_POURED, output);
+            commit_foul(&player[i], game, FOUL_POURED, pan, output);
         }
         if (caught[i].walled > 0) {
-            commit_foul(&player[i], game, FOUL_WALL, output);
+            commit_foul(&player[i], game, FOUL_WALL, pan, output);
         }
     }
 }

@@ -19,7 +19,7 @@
 #define CICADA_BEAT_END_HZ 6.0f
 #define TRILL_HZ 5400.0f /* Centre frequency and rate of the distant large brown cicadas. */
 #define TRILL_BEAT_HZ 27.0f
-#define STONE_PAN (-0.55f) /* The air stone stands in the far left corner. */
+#define STONE_PAN 0.55f /* Place of the air stone, on the left or on the right. */
 #define VOWELS 5u
 
 void ambience_init(struct ambience *ambience, uint32_t seed)
@@ -152,11 +152,12 @@ static void start_bubble(struct ambience *ambience)
     struct ambience_bubble *bubble = &ambience->bubble[ambience->blocks % AMBIENCE_BUBBLES];
     const float size = tone_random(&ambience->random);
     const float level = BUBBLE_LEVEL * (0.3f + 0.7f * size * size);
+    const float stone_pan = ambience->is_stone_right ? STONE_PAN : -STONE_PAN;
     *bubble = (struct ambience_bubble){
         .wave = { 0.0f, level },
         .hz = 2300.0f - 1750.0f * size,
         .keep = tone_keep(5.0f + 13.0f * size),
-        .pan = tone_pan(STONE_PAN + 0.35f * (tone_random(&ambience->random) - 0.5f)),
+        .pan = tone_pan(stone_pan + 0.35f * (tone_random(&ambience->random) - 0.5f)),
     };
 }
 

@@ -44,6 +44,7 @@ struct ambience {
     struct ambience_bubble bubble[AMBIENCE_BUBBLES];
     struct tone_filter trill, rim[2];
     float trill_phase;
+    bool is_stone_right; /* True if the air stone is on the right; else it is on the left. */
 };
 
 void ambience_init(struct ambience *ambience, uint32_t seed);

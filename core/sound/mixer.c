@@ -56,6 +56,7 @@ void mixer_set_levels(struct mixer *mixer, const struct sound_levels *levels)
         .ambience = f_clamp(levels->ambience, 0.0f, 1.0f),
         .song = levels->song,
         .has_pump = levels->has_pump,
+        .is_stone_right = levels->is_stone_right,
     };
 }
 
@@ -92,6 +93,7 @@ static void approach_levels(struct mixer *mixer)
     mixer->now.music += (mixer->levels.music - mixer->now.music) * share;
     mixer->now.ambience += (mixer->levels.ambience - mixer->now.ambience) * share;
     mixer->now.has_pump = mixer->levels.has_pump;
+    mixer->ambience.is_stone_right = mixer->levels.is_stone_right;
 }
 
 /* Renders the next block of all sources to `mix`. */

@@ -78,6 +78,7 @@ static struct sound_levels levels_of(const struct settings *settings, const stru
         .ambience = music,
         .song = output->round_tick,
         .has_pump = output->has_pump,
+        .is_stone_right = input->is_turned != 0,
     };
 }
 

@@ -137,7 +137,7 @@ static double measure_poi(void)
 {
     struct bowl bowl;
     const vec3 place = v3(0.0f, 0.08f, 0.0f);
-    const struct stall stall = { &tank, &bowl, 1 };
+    const struct stall stall = { &tank, &bowl, 1, false };
     open_tank(&tank, TANK_PRESET_FESTIVAL, 300, 1);
     bowl_init(&bowl, v3(0.30f, 0.02f, 0.15f));
     poi_init(&poi, 5, place, 1);
@@ -174,7 +174,7 @@ static double measure_poi(void)
 static void measure_catch(uint32_t carried_fish, const char *what)
 {
     struct bowl bowl;
-    const struct stall stall = { &tank, &bowl, 1 };
+    const struct stall stall = { &tank, &bowl, 1, false };
     struct catch_result caught[POI_MAX] = { 0 };
     open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
     bowl_init(&bowl, tank_preset(TANK_PRESET_OFFICIAL)->bowl_m[0]);
@@ -199,7 +199,7 @@ static void measure_catch(uint32_t carried_fish, const char *what)
 static void measure_bowls(uint32_t fish_count, const char *what)
 {
     static struct bowl bowls[POI_MAX];
-    const struct stall stall = { &tank, bowls, POI_MAX };
+    const struct stall stall = { &tank, bowls, POI_MAX, false };
     const uint8_t live[POI_MAX] = { 1, 1, 1, 1 };
     static struct poi pois[POI_MAX];
     open_tank(&tank, TANK_PRESET_OFFICIAL, 1000, 1);

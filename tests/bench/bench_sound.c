@@ -104,7 +104,7 @@ int main(int count, char **values)
     printf("%u players, %.1f s, %u sounds\n", players, (double)frames / SOUND_RATE_HZ,
            round_of_bots.count);
     print_sources(frames);
-    const struct sound_levels levels = { 1.0f, 1.0f, 1.0f, 0, true };
+    const struct sound_levels levels = { 1.0f, 1.0f, 1.0f, 0, true, false };
     const double cost_ms = render(&levels) * SOUND_RATE_HZ / frames;
     const double lufs = loudness_integrated(samples, frames);
     const double peak = loudness_true_peak(samples, frames);

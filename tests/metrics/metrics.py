@@ -102,6 +102,7 @@ FEATURE_LINES = {
     'programs that are drawn once before their first use, shadows in bowls, a camera at rest, coins that no store accepted': 64,
     'a camera that drifts in attract mode, and pictures below the water that follow it': 108,
     'a camera that comes closer in a round with one player, its setting, and calm changes of render targets': 133,
+    'sounds that come from their side of the picture, also on a portrait screen': 24,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.

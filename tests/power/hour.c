@@ -99,7 +99,7 @@ static void land_fish(struct hour *hour)
     if (hour->core.game.phase == PHASE_ROUND && happens(hour, DRAW_FISH, 4)) {
         const struct catch_result caught[POI_MAX] = { { .landed = 1, .bowled = 1 } };
         game_score(hour->core.game.player, &hour->core.game.album, &hour->core.game,
-                   &hour->core.world, caught, &hour->output);
+                   &hour->core.world, caught, false, &hour->output);
     }
 }
 

@@ -152,7 +152,7 @@ static void land_fish(void)
     if (kiosk.core.game.phase == PHASE_ROUND && happens(5, 4)) {
         const struct catch_result caught[POI_MAX] = { { .landed = 1, .bowled = 1 } };
         game_score(kiosk.core.game.player, &kiosk.core.game.album, &kiosk.core.game,
-                   &kiosk.core.world, caught, &kiosk.output);
+                   &kiosk.core.world, caught, false, &kiosk.output);
     }
 }
 

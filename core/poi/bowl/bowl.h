@@ -54,6 +54,9 @@ struct stall {
     struct tank *tank;
     struct bowl *bowls;
     uint32_t bowl_count; /* Number of entries in `bowls`, at most POI_MAX. */
+    /* True if the players look at the tank from its short side (core/view.h), which determines the
+     * stereo positions of sounds only. */
+    bool is_turned;
 };
 
 /* Initializes an empty bowl that is moored at `position_m`. The height of the mouth is clamped to

@@ -6,6 +6,7 @@
 #include "core/base/physics.h"
 #include "core/poi/catch/capture.h"
 #include "core/poi/catch/carried_fish.h"
+#include "core/view.h"
 
 /* Lower limit of the line tension (force per width of paper) from which the compliance of the paper
  * is computed. The value is the tension of wet paper under a single fish. */
@@ -34,10 +35,10 @@ struct scoop { /* Data that the functions in this file share in one tick. */
 
 /* ---- Sounds of the poi ----------------------------------------------------------------------- */
 
-/* Returns the stereo position of the place `x_m` in the tank. */
-static float pan_at(const struct tank *tank, float x_m)
+/* Returns the stereo position of the place `at_m` in the tank. */
+static float pan_at(const struct stall *stall, vec3 at_m)
 {
-    return f_clamp(2.0f * x_m / tank->size_m.x, -1.0f, 1.0f);
+    return view_pan(stall->is_turned, stall->tank->size_m, at_m);
 }
 
 static bool time_for(uint32_t *last, uint32_t now, uint32_t every)
@@ -176,11 +177,11 @@ static bool advance_fall(const struct scoop *scoop, struct carried_fish *carried
     case FALL_INTO_BOWL:
         catch_count(carried, scoop->poi_index, bowl, scoop->results);
         output_sound(scoop->output, SOUND_CATCH, f_max(blow, 0.6f),
-                     pan_at(scoop->tank, scoop->stall->bowls[bowl].position_m.x));
+                     pan_at(scoop->stall, scoop->stall->bowls[bowl].position_m));
         return true;
     case FALL_INTO_WATER:
         scoop->results[scoop->poi_index].slipped += carried->clear_ticks >= CARRIED_CLEAR_TICKS;
-        output_sound(scoop->output, SOUND_PLOP, blow, pan_at(scoop->tank, before_m.x));
+        output_sound(scoop->output, SOUND_PLOP, blow, pan_at(scoop->stall, before_m));
         return true;
     default:
         if (carried->state == CARRIED_FALLING && lands(scoop, carried, before_m, &lying)) {
@@ -341,7 +342,7 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
                   .radius_m = poi_radius_m(poi),
                   .belly_m = poi->sheet.sag_m,
                   .give_per_n = (1.0f / (F_TAU * f_max(tension_n_m, SLACK_N_M))) },
-        .pan = pan_at(stall->tank, poi->position_m.x),
+        .pan = pan_at(stall, poi->position_m),
         .clear = poi->position_m.y > poi_half_extent_m(poi, axes.up.y),
         .results = results,
     };

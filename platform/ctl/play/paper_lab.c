@@ -112,7 +112,7 @@ static void catch_fish(struct paper_lab *lab)
 {
     struct output output = { 0 };
     struct catch_result results[POI_MAX] = { 0 };
-    const struct stall stall = { &lab->tank, &lab->bowl, 0 };
+    const struct stall stall = { &lab->tank, &lab->bowl, 0, false };
     for (uint32_t i = 0; lab->plan->still && i < lab->poi.carried_count; i++) {
         lab->poi.carried_fish[i].rest_s = NEVER_S;
     }

@@ -147,7 +147,7 @@ void tank_lab_tick(struct tank_lab *lab)
     cast_shades(lab);
     tick_tank(lab, has_poi ? &ring : NULL, has_poi ? 1 : 0);
     if (has_poi) {
-        const struct stall stall = { &lab->tank, &lab->bowl, 1 };
+        const struct stall stall = { &lab->tank, &lab->bowl, 1, false };
         struct catch_result caught[POI_MAX] = { 0 };
         poi_apply_reaction(poi, &ring);
         catch_tick(poi, 0, &stall, lab->tick, &lab->output, caught);

@@ -26,9 +26,11 @@ static uint32_t causes(uint8_t gait, float depth, float pan)
     uint32_t count = 0;
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         const struct fish *fish = &tank->fish[i];
-        const float fish_pan = f_clamp(2.0f * fish->position_m.x / tank->size_m.x, -1.0f, 1.0f);
+        /* The player at a portrait screen looks along -x. */
+        const float fish_pan = input.is_turned ? -2.0f * fish->position_m.z / tank->size_m.z
+                                               : 2.0f * fish->position_m.x / tank->size_m.x;
         count += fish->gait == gait && fish->position_m.y > -depth * fish->height_m &&
-                 f_abs(fish_pan - pan) < 1e-6f;
+                 f_abs(f_clamp(fish_pan, -1.0f, 1.0f) - pan) < 1e-6f;
     }
     return count;
 }
@@ -57,7 +59,10 @@ static void test_fish_gulp_only_at_the_surface_of_stale_water(void **state)
     ticks(10u * CORE_TICK_HZ);
     assert_int_equal(sounds[SOUND_GULP], 0);
     core.world.tank.oxygen.dissolved_mg_l = STALE_MG_L;
-    assert_true(count_caused(SOUND_GULP, GAIT_SURFACE, 1.5f, 20u * CORE_TICK_HZ) > 10);
+    for (uint8_t is_turned = 0; is_turned < 2; is_turned++) {
+        input.is_turned = is_turned;
+        assert_true(count_caused(SOUND_GULP, GAIT_SURFACE, 1.5f, 20u * CORE_TICK_HZ) > 10);
+    }
 }
 
 /* Returns the number of fish that began to escape less than 0.2 s ago at more than `depth` of their
@@ -80,6 +85,7 @@ static void test_an_escape_splashes_only_close_below_the_surface(void **state)
     uint32_t deep = 0, splashes = 0;
     for (uint32_t i = 0; i < 12; i++) {
         const float x_m = -0.3f + 0.05f * (float)i;
+        input.is_turned = i % 2u;
         hold(0, v3(x_m, ABOVE_M, 0.0f));
         ticks(30);
         hold(0, v3(x_m, BELOW_M, 0.0f));

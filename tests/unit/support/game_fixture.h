@@ -47,7 +47,7 @@ static inline void step(void)
     const struct catch_result caught[POI_MAX] = { 0 };
     output.sound_count = 0;
     game_tick(&core.game, &core.world, &core.config, &input, &output, targets, live);
-    game_score(core.game.player, &core.game.album, &core.game, &core.world, caught, &output);
+    game_score(core.game.player, &core.game.album, &core.game, &core.world, caught, false, &output);
     core.game.tick++;
     input.pressed = 0;
     input.tickets_done = output.tickets;

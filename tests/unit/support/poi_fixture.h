@@ -100,7 +100,7 @@ static inline void fixture_tick(struct poi_fixture *fixture)
     const struct poi_grip grip = { fixture->hand, fixture->has_wrist };
     poi->laden_ticks = fixture->laden ? UINT8_MAX : poi->laden_ticks;
     poi_tick(poi, &grip, &fixture->tank, &fixture->bowl);
-    const struct stall stall = { &fixture->tank, &fixture->bowl, 1 };
+    const struct stall stall = { &fixture->tank, &fixture->bowl, 1, false };
     const uint8_t live = 1;
     bowl_buoyancy_tick(&stall, poi, &live, 1);
     struct obstacle around[2] = { poi_obstacle(poi), bowl_obstacle(&fixture->bowl) };

@@ -8,7 +8,7 @@
 static void land(uint32_t count)
 {
     const struct catch_result caught[POI_MAX] = { { .landed = count, .bowled = count } };
-    game_score(core.game.player, &core.game.album, &core.game, &core.world, caught, &output);
+    game_score(core.game.player, &core.game.album, &core.game, &core.world, caught, false, &output);
 }
 
 static void test_fish_count_only_while_the_round_runs(void **state)

@@ -20,7 +20,7 @@
 #define FRAMES_PER_TICK (SOUND_RATE_HZ / CORE_TICK_HZ)
 #define FRAMES_MAX (SOUND_ROUND_TICKS_MAX * FRAMES_PER_TICK)
 
-static const struct sound_levels full = { 1.0f, 1.0f, 1.0f, 0, true };
+static const struct sound_levels full = { 1.0f, 1.0f, 1.0f, 0, true, false };
 static struct mixer mixer;
 static struct sound_round played;
 static int16_t heard[2u * FRAMES_MAX];

@@ -86,6 +86,10 @@ static void test_music_plays_in_a_game_and_not_in_the_operators_menu(void **stat
     put(0, 2 * S);
     assert_float_equal(sim.levels.music, 1.0f, 1e-6f);
     assert_int_equal(sim.levels.song, 77);
+    assert_false(sim.levels.is_stone_right);
+    input.is_turned = 1;
+    put(0, 2 * S);
+    assert_true(sim.levels.is_stone_right);
     output.phase = PHASE_MENU;
     put(0, 2 * S);
     assert_float_equal(sim.levels.music, 0.0f, 1e-6f);

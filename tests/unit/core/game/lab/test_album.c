@@ -13,7 +13,7 @@ static void land(uint32_t fish, uint32_t player)
     core.world.tank.fish[fish].gait = GAIT_BOWL;
     core.world.tank.fish[fish].holder = (uint8_t)player;
     caught[player].bowled = caught[player].landed = 1;
-    game_score(core.game.player, &core.game.album, &core.game, &core.world, caught, &output);
+    game_score(core.game.player, &core.game.album, &core.game, &core.world, caught, false, &output);
 }
 
 static const struct scene_album *page(void)

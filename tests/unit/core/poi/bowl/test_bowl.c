@@ -114,7 +114,7 @@ static void test_pouring_back_puts_every_fish_under_water_beside_the_bowl(void *
  * players together can reach. */
 static void drop_in_all(uint32_t count, float length_m)
 {
-    const struct stall stall = { &tank, &bowl, 1 };
+    const struct stall stall = { &tank, &bowl, 1, false };
     memset(&tank, 0, sizeof tank);
     tank.size_m = v3(1.36f, 0.10f, 0.65f);
     bowl_init(&bowl, v3(0.53f, 0.012f, 0.225f));
@@ -159,7 +159,7 @@ static float overlap_m(const struct fish *a, const struct fish *b)
 
 static struct tightness look_for(float seconds)
 {
-    const struct stall stall = { &tank, &bowl, 1 };
+    const struct stall stall = { &tank, &bowl, 1, false };
     struct tightness sum = { 0 };
     uint32_t looks = 0;
     for (uint32_t tick = 0; (float)tick < seconds * (float)CORE_TICK_HZ; tick++) {

@@ -21,7 +21,7 @@ static void float_bowls(uint32_t count)
 
 static void wait_for(float seconds)
 {
-    const struct stall stall = { &tank, bowls, POI_MAX };
+    const struct stall stall = { &tank, bowls, POI_MAX, false };
     for (uint32_t i = 0; (float)i < seconds * (float)CORE_TICK_HZ; i++) {
         bowl_buoyancy_tick(&stall, NULL, NULL, 0);
     }
@@ -159,7 +159,7 @@ static void test_a_displaced_bowl_drifts_home_within_some_seconds(void **state)
  * `depth_m`. Checks in every tick that the ring is outside every hull. */
 static void push_with_ring(float depth_m, float to_x_m)
 {
-    const struct stall stall = { &tank, bowls, POI_MAX };
+    const struct stall stall = { &tank, bowls, POI_MAX, false };
     const uint8_t live = 1;
     const float from_x_m = bowls[0].position_m.x - 0.25f, z_m = bowls[0].position_m.z;
     poi_init(&poi, 4, v3(from_x_m, depth_m, z_m), 1);
@@ -206,7 +206,7 @@ static void test_a_ring_over_the_bowl_or_far_from_it_does_not_push_it(void **sta
 static void test_a_ring_that_rests_on_the_mouth_lowers_the_bowl_a_little(void **state)
 {
     (void)state;
-    const struct stall stall = { &tank, bowls, POI_MAX };
+    const struct stall stall = { &tank, bowls, POI_MAX, false };
     const uint8_t live = 1;
     float_bowls(1);
     poi_init(&poi, 4, v3(-0.3f, 0.05f, 0.0f), 1);
@@ -270,7 +270,7 @@ static void test_the_fish_in_a_bowl_move_with_it(void **state)
     for (uint32_t i = 0; i < 12; i++) {
         drop_in(0.04f, 0.004f * (float)i - 0.02f);
     }
-    const struct stall stall = { &tank, bowls, POI_MAX };
+    const struct stall stall = { &tank, bowls, POI_MAX, false };
     /* Moves the mooring far away, which pulls the bowl across the tank. */
     bowls[0].home_m.x = 0.25f;
     for (uint32_t tick = 0; tick < 4u * CORE_TICK_HZ; tick++) {

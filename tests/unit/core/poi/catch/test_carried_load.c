@@ -64,7 +64,7 @@ static void test_all_carried_fish_may_slap_together_and_keep_their_weight(void *
         weight_n += fish_mass_kg(0.03f) * GRAVITY_M_S2 + 1e-3f;
     }
     fixture.poi.carried_count = POI_CARRIED_MAX;
-    const struct stall stall = { &fixture.tank, &fixture.bowl, 1 };
+    const struct stall stall = { &fixture.tank, &fixture.bowl, 1, false };
     struct catch_result caught[POI_MAX] = { 0 };
     catch_tick(&fixture.poi, 0, &stall, 0, &fixture.output, caught);
     assert_int_equal(fixture.poi.carried_count, POI_CARRIED_MAX);

@@ -44,7 +44,7 @@ static void step(struct poi_target hand, struct outcome *sum)
     struct obstacle ring = poi_obstacle(&poi);
     tank_tick(&tank, now, &ring, 1);
     poi_apply_reaction(&poi, &ring);
-    const struct stall stall = { &tank, &bowl, 1 };
+    const struct stall stall = { &tank, &bowl, 1, false };
     struct catch_result caught[POI_MAX] = { 0 };
     catch_tick(&poi, 0, &stall, now, &output, caught);
     sum->strain_n_s_m += poi.strain.tension_max_n_m * CORE_TICK_S;

@@ -195,7 +195,7 @@ static uint8_t fell_at(vec3 from_m, struct catch_result results[POI_MAX], struct
     fixture_init(&fixture, 4, 1);
     bowl_init(&bowls[0], v3(-0.2f, 0.012f, 0.0f));
     bowl_init(&bowls[1], v3(0.2f, 0.012f, 0.0f));
-    const struct stall stall = { &fixture.tank, bowls, 2 };
+    const struct stall stall = { &fixture.tank, bowls, 2, false };
     struct carried_fish *carried = fixture_place_fish(&fixture, 0.04f, 0.0f, 0.0f, 0.0f);
     struct fish *fish = &fixture.tank.fish[carried->fish];
     carried->state = CARRIED_FALLING;
