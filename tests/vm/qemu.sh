@@ -1,7 +1,7 @@
 # qemu.sh -- starts the guest, reads its messages and takes its pictures. Source it after lib.sh.
 # The guest writes lines to share/out/talk (guest/lib.sh). QEMU takes pictures on request and
 # reports events of its machine, such as an expired watchdog, through QMP on two pipes.
-# shellcheck shell=bash disable=SC2154,SC2054,SC2086,SC2034  # QEMU needs the commas
+# shellcheck shell=bash disable=SC2154,SC2054,SC2086,SC2046,SC2034  # QEMU needs the commas
 run=$cache/run share=$cache/run/share
 qemu_pid='' qmp_in='' qmp_reader='' qmp_id=0
 
@@ -58,14 +58,16 @@ middle() { # FILE
 }
 
 # A guest draws a picture in a second or more, and shows it one picture later. The function
-# therefore waits for the requested brightness.
-guest_shot() { # NAME [dark|light], of build/vm/GUEST/shots/NAME.png
-    local file=$cache/shots/$1.png try
-    for ((try = 0; try < 40; try++)); do
+# therefore waits for the requested brightness, or until the picture shows the tank (results.sh).
+guest_shot() { # NAME [dark|light|tank], of build/vm/GUEST/shots/NAME.png
+    local file=$cache/shots/$1.png try tries=40
+    [ "${2-}" != tank ] || tries=160
+    for ((try = 0; try < tries; try++)); do
         qmp screendump "\"filename\":\"$file\",\"format\":\"png\"" || return 0
         case ${2-} in
             dark) [ "$(middle "$file")" -lt "$MIDDLE_DARK" ] && break ;;
             light) [ "$(middle "$file")" -gt "$MIDDLE_LIGHT" ] && break ;;
+            tank) shows_tank $(picture "$1") && break ;;
             *) break ;;
         esac
         sleep 0.5

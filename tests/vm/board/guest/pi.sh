@@ -73,8 +73,8 @@ watcher=$!
 await 3000 shows_attract
 found $? status "phase $(phase), $(up) s after power on"
 kill $watcher
-say 'shot tank'
-sleep 40 # The host takes the picture.
+say 'shot tank tank'
+sleep 120 # The host takes pictures until one shows the tank, because a frame takes seconds.
 failed=$(systemctl --failed --no-legend --plain | cut -d' ' -f1 | tr '\n' ' ')
 [ -z "$failed" ]
 found $? units "failed units: ${failed:-none}"
