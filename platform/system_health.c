@@ -51,7 +51,9 @@ static uint8_t persistence_of(const struct system_health *machine)
     if (!has_folder(machine) || statfs(machine->data, &about) != 0) {
         return KEEPS_NOWHERE;
     }
-    if (about.f_type == TMPFS_MAGIC || about.f_type == RAMFS_MAGIC) {
+    /* The type has a sign on a 32-bit machine. */
+    const uint32_t type = (uint32_t)about.f_type;
+    if (type == TMPFS_MAGIC || type == RAMFS_MAGIC) {
         return KEEPS_MEMORY;
     }
     file_first_line(machine->checked ? machine->checked : SYSTEM_HEALTH_CHECK_PATH, line,

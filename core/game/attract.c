@@ -25,7 +25,7 @@ void attract_begin(struct game *game, struct world *world, const struct core_con
         game->player[i].level = LEVEL_MASTER;
     }
     session_language_reset(game, config);
-    game->bowl_is_left = table_setup_bowl_is_left(world, config, 0.0f);
+    game->bowl_place = table_setup_bowl_place(world, config, false, v3(0.0f, 0.0f, 0.0f));
     game_enter_phase(game, PHASE_ATTRACT);
     table_setup_empty_bowls(world);
     table_setup_prepare(game->control, game, world, config, config->preset);
@@ -38,9 +38,12 @@ void attract_tick(struct game *game, struct world *world, struct core_config *co
 {
     CORE_ASSERT(game->phase == PHASE_ATTRACT);
     const uint32_t dipped = controller_dipped_player(game, world, input);
-    if (dipped < POI_MAX) {
-        game->bowl_is_left =
-            table_setup_bowl_is_left(world, config, input->poi[dipped].target.position_m.x);
+    const bool is_turned = input->is_turned != 0;
+    const bool was_turned = game->bowl_place >= BOWL_PLACE_NEAR_LEFT;
+    if (dipped < POI_MAX || (is_turned && config_has_rules(config, 12)) != was_turned) {
+        const vec3 dip_m = dipped < POI_MAX ? input->poi[dipped].target.position_m : (vec3){ 0 };
+        game->bowl_place =
+            table_setup_bowl_place(world, config, is_turned, view_from_world(is_turned, dip_m));
     }
     if ((input->pressed & INPUT_START) || dipped < POI_MAX ||
         credit_is_awaited(&game->accounts, config, game->tick)) {

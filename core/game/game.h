@@ -182,6 +182,17 @@ struct name {
     float rest_x, rest_y; /* Position of the pointer when it last moved. */
 };
 
+/* Places of the bowl of a player who plays alone. The first two are on the right and on the left
+ * of a player at the long side of the tank (wide screen). The last two are on the left and on the
+ * right of a player at the short side with positive x (portrait screen). */
+enum bowl_place {
+    BOWL_PLACE_RIGHT,
+    BOWL_PLACE_LEFT,
+    BOWL_PLACE_NEAR_LEFT,
+    BOWL_PLACE_NEAR_RIGHT,
+    BOWL_PLACE_COUNT,
+};
+
 struct game {
     uint32_t tick;    /* Number of the current tick, counted from 0 at the start of the kiosk. */
     uint8_t phase;    /* Current phase (enum scene_phase). */
@@ -216,8 +227,8 @@ struct game {
     uint32_t gone_tick;
     /* Tick at which a visitor's choice of language in attract mode ends; 0 means no choice. */
     uint32_t language_until;
-    /* 1 if the bowl of a player who plays alone is on the left side of the tank, otherwise 0. */
-    uint8_t bowl_is_left;
+    /* Place of the bowl of a player who plays alone (enum bowl_place). */
+    uint8_t bowl_place;
     /* Tick at which a new session starts, which means that the core reinitializes itself
      * (session.c); 0 means that no session was requested. */
     uint32_t turn_tick;

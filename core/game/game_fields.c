@@ -282,7 +282,7 @@ const struct field_table game_fields = FIELD_TABLE(game,
     FIELD_STRUCT(health_log, &health_log_fields), FIELD_STRUCT(menu, &menu_fields),
     FIELD_STRUCT(album, &album_fields), FIELD_STRUCT(lab, &lab_fields),
     FIELD_LATER(language_until, 0), FIELD_SINCE(9, upright, 1),
-    FIELD_SINCE(10, bowl_is_left, 2),
+    FIELD_SINCE(10, bowl_place, 2),
     FIELD_STRUCT(hints, &hints_fields), FIELD_SKIP(tick),
     FIELD_SKIP(accounts.audits), FIELD_SKIP(accounts.ranking), FIELD_SKIP(settings_edit));
 #undef STRUCT

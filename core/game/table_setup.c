@@ -144,22 +144,30 @@ void table_setup_prepare(struct control control[POI_MAX], const struct game *gam
 
 /* ---- Side of the bowl ------------------------------------------------------------------------ */
 
-bool table_setup_bowl_is_left(const struct world *world, const struct core_config *config,
-                              float dip_x_m)
+uint8_t table_setup_bowl_place(const struct world *world, const struct core_config *config,
+                               bool is_turned, vec3 dip_m)
 {
     const int32_t side = config->persistent.settings.value[SET_SIDE];
     CORE_ASSERT(side >= 0 && side < BOWL_SIDE_COUNT);
-    const bool is_left_dip = dip_x_m < -world->tank.size_m.x / 6.0f;
+    const bool turns = is_turned && config_has_rules(config, 12);
+    const float width_m = turns ? world->tank.size_m.z : world->tank.size_m.x;
+    const float dip_x_m = turns || !is_turned ? dip_m.x : view_to_world(true, dip_m).x;
+    const bool is_left_dip = dip_x_m < -width_m / 6.0f;
     const bool is_left = side == BOWL_LEFT || (side == BOWL_BY_FIRST_DIP && is_left_dip);
-    return is_left && config_has_rules(config, 10);
+    return !config_has_rules(config, 10) ? BOWL_PLACE_RIGHT
+           : turns                       ? (is_left ? BOWL_PLACE_NEAR_LEFT : BOWL_PLACE_NEAR_RIGHT)
+           : is_left                     ? BOWL_PLACE_LEFT
+                                         : BOWL_PLACE_RIGHT;
 }
 
 void table_setup_moor_bowl(const struct game *game, struct world *world,
                            const struct core_config *config)
 {
-    const float right_m = tank_preset(world->tank.preset)->bowl_m[0].x;
-    const bool is_left = game->bowl_is_left && player_count(config) == 1u;
-    world->bowl[0].home_m.x = is_left ? -right_m : right_m;
+    CORE_ASSERT(game->bowl_place < BOWL_PLACE_COUNT);
+    const vec3 home_m = tank_preset(world->tank.preset)->bowl_m[0];
+    const uint8_t place = player_count(config) == 1u ? game->bowl_place : BOWL_PLACE_RIGHT;
+    world->bowl[0].home_m.x = place == BOWL_PLACE_LEFT ? -home_m.x : home_m.x;
+    world->bowl[0].home_m.z = place == BOWL_PLACE_NEAR_RIGHT ? -home_m.z : home_m.z;
 }
 
 /* ---- Replacement of paper, and emptying of bowls --------------------------------------------- */

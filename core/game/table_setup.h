@@ -42,14 +42,15 @@ void table_setup_open(struct control control[POI_MAX], const struct game *game, 
 void table_setup_prepare(struct control control[POI_MAX], const struct game *game,
                          struct world *world, const struct core_config *config, uint8_t preset);
 
-/* Returns true if the bowl of a player who plays alone is on the left, by SET_SIDE. `dip_x_m` is
- * the place of the dip that ended attract mode; 0 means that there was no dip. A dip in the left
- * third of the tank chooses the left side. Under the rules of formats before 10, the bowl is on the
- * right. */
-bool table_setup_bowl_is_left(const struct world *world, const struct core_config *config,
-                              float dip_x_m);
+/* Returns the place (enum bowl_place) of the bowl of a player who plays alone, by SET_SIDE.
+ * `is_turned` is true on a portrait screen. `dip_m` is the place of the dip that ended attract mode
+ * in the player's axes; a zero vector means that there was no dip. A dip in the left third of the
+ * tank, as the player sees it, chooses the left side. Under the rules of formats before 10, the
+ * bowl is on the right, and before 12, a portrait screen makes no difference. */
+uint8_t table_setup_bowl_place(const struct world *world, const struct core_config *config,
+                               bool is_turned, vec3 dip_m);
 
-/* Sets the home position of the bowl of a player who plays alone on the chosen side. The mooring
+/* Sets the home position of the bowl of a player who plays alone to the chosen place. The mooring
  * then pulls the bowl there in a few seconds. The bowls of several players keep their places. */
 void table_setup_moor_bowl(const struct game *game, struct world *world,
                            const struct core_config *config);

@@ -100,6 +100,7 @@ FEATURE_LINES = {
     'the hose of the air stone': 8,
     'checks of results and of a divisor that clang-tidy needs': 5,
     'programs that are drawn once before their first use, shadows in bowls, a camera at rest, coins that no store accepted': 64,
+    'hands of bots and the bowl on portrait screens, and a new system that is kept only with a picture': 48,
     'a camera that drifts in attract mode, and pictures below the water that follow it': 108,
     'a camera that comes closer in a round with one player, its setting, and calm changes of render targets': 133,
     'sounds that come from their side of the picture, also on a portrait screen': 24,

@@ -103,6 +103,58 @@ static void test_under_the_rules_of_format_9_the_bowl_is_on_the_right(void **sta
     assert_float_equal(bowl_x_m(0), home_x_m(), AT_HOME_M);
 }
 
+/* On a portrait screen the player stands at the end of the tank with positive x. The player's left
+ * is the side with positive z. */
+static void test_on_a_portrait_screen_the_bowl_is_within_the_reach_of_the_player(void **state)
+{
+    (void)state;
+    static const struct {
+        int32_t side;
+        float dip_z_m, sign;
+        bool has_left_hand;
+    } rounds[] = {
+        { BOWL_BY_FIRST_DIP, 0.15f, 1.0f, true },    { BOWL_BY_FIRST_DIP, 0.0f, -1.0f, false },
+        { BOWL_BY_FIRST_DIP, -0.15f, -1.0f, false }, { BOWL_LEFT, -0.15f, 1.0f, true },
+        { BOWL_RIGHT, 0.15f, -1.0f, false },
+    };
+    for (size_t i = 0; i < sizeof rounds / sizeof *rounds; i++) {
+        open_side(rounds[i].side, 1, 0);
+        input.upright = input.is_turned = 1;
+        ticks(60);
+        dip(0, LEFT_M, rounds[i].dip_z_m);
+        assert_int_equal(core.game.phase, PHASE_READY);
+        wait_for_phase(PHASE_ROUND, 10u * CORE_TICK_HZ);
+        const float home_z_m = tank_preset(core.world.tank.preset)->bowl_m[0].z;
+        assert_float_equal(bowl_x_m(0), home_x_m(), AT_HOME_M);
+        assert_float_equal(core.world.bowl[0].position_m.z, rounds[i].sign * home_z_m, AT_HOME_M);
+        assert_int_equal(look()->poi[0].turned_left_hand, rounds[i].has_left_hand);
+    }
+}
+
+static void test_the_bowl_follows_a_screen_that_is_turned_in_attract_mode(void **state)
+{
+    (void)state;
+    open_side(BOWL_BY_FIRST_DIP, 1, 0);
+    input.upright = input.is_turned = 1;
+    ticks(6u * CORE_TICK_HZ);
+    assert_true(core.world.bowl[0].position_m.z < 0.0f);
+    input.upright = input.is_turned = 0;
+    ticks(6u * CORE_TICK_HZ);
+    assert_true(core.world.bowl[0].position_m.z > 0.0f);
+}
+
+static void test_under_the_rules_of_format_11_a_portrait_screen_makes_no_difference(void **state)
+{
+    (void)state;
+    open_side(BOWL_BY_FIRST_DIP, 1, 11);
+    input.upright = input.is_turned = 1;
+    ticks(60);
+    dip(0, LEFT_M, -0.15f);
+    wait_for_phase(PHASE_ROUND, 10u * CORE_TICK_HZ);
+    assert_float_equal(bowl_x_m(0), -home_x_m(), AT_HOME_M);
+    assert_true(core.world.bowl[0].position_m.z > 0.0f);
+}
+
 /* The bowl floats to the other side. It must not jump, and it must not leave the tank. */
 static void test_the_bowl_moves_slowly_through_the_water(void **state)
 {
@@ -139,6 +191,9 @@ int main(void)
         cmocka_unit_test(test_the_setting_fixes_the_side),
         cmocka_unit_test(test_the_bowls_of_several_players_keep_their_places),
         cmocka_unit_test(test_under_the_rules_of_format_9_the_bowl_is_on_the_right),
+        cmocka_unit_test(test_on_a_portrait_screen_the_bowl_is_within_the_reach_of_the_player),
+        cmocka_unit_test(test_the_bowl_follows_a_screen_that_is_turned_in_attract_mode),
+        cmocka_unit_test(test_under_the_rules_of_format_11_a_portrait_screen_makes_no_difference),
         cmocka_unit_test(test_the_bowl_moves_slowly_through_the_water),
         cmocka_unit_test(test_the_bowl_returns_for_the_next_visitor),
     };
