@@ -11,9 +11,7 @@
 #define VIBRATO_AFTER_MS 180.0f
 #define VIBRATO_GROW_MS 250.0f
 #define GRACE_MS 55.0f  /* Duration of the higher note of FLUTE_GRACE. */
-#define GRACE 1.1892f   /* Interval of this note: a minor third. */
 #define TAP_MS 32.0f    /* Duration of the lower pitch of FLUTE_TAP. */
-#define TAP 0.8909f     /* Interval of this pitch: a whole tone down. */
 #define FALL 0.92f      /* Factor on the pitch at the end of FLUTE_FALL. */
 #define GLIDE_MS 9.0f   /* Time constant with which the pitch approaches its goal. */
 #define ATTACK_MS 16.0f /* Time constants of the level. */
@@ -28,7 +26,7 @@
 #define HISS 0.012f  /* Level of the noise of the air at the mouth hole. */
 
 void flute_play(struct flute *flute, float hz, float level, uint32_t length_blocks,
-                uint8_t ornament)
+                uint8_t ornament, float other_hz)
 {
     CORE_ASSERT(hz > 100.0f && hz < 3000.0f && length_blocks > 0);
     flute->goal_hz = hz * (1.0f + flute->cents * 0.000578f);
@@ -36,6 +34,7 @@ void flute_play(struct flute *flute, float hz, float level, uint32_t length_bloc
     flute->age_blocks = 0;
     flute->length_blocks = length_blocks;
     flute->ornament = ornament;
+    flute->other = other_hz / hz;
     if (flute->level < SILENT) {
         flute->wave = (struct tone){ 1.0f, 0.0f };
         /* The pitch of a new breath begins slightly flat. */
@@ -48,10 +47,10 @@ static float ornament_now(const struct flute *flute, float ms, float left_ms)
 {
     float factor = 1.0f;
     if (flute->ornament == FLUTE_GRACE && ms < GRACE_MS) {
-        factor = GRACE;
+        factor = flute->other;
     } else if (flute->ornament == FLUTE_TAP) {
         const float middle_ms = 0.5f * (ms + left_ms);
-        factor = ms > middle_ms && ms < middle_ms + TAP_MS ? TAP : 1.0f;
+        factor = ms > middle_ms && ms < middle_ms + TAP_MS ? flute->other : 1.0f;
     } else if (flute->ornament == FLUTE_FALL && left_ms < 120.0f) {
         factor = f_lerp(FALL, 1.0f, f_max(left_ms, 0.0f) / 120.0f);
     }

@@ -22,15 +22,17 @@ struct flute {
     float goal;
     float cents;         /* Tuning of this instrument. */
     uint8_t ornament;    /* Ornament of the note (enum flute_ornament). */
+    float other;         /* Pitch of FLUTE_GRACE or FLUTE_TAP divided by the pitch of the note. */
     uint32_t age_blocks; /* Blocks since the start of the note, and its length. */
     uint32_t length_blocks;
     uint32_t noise;
     struct tone_filter breath;
 };
 
-/* Starts a note of `hz` that lasts `length_blocks`. */
+/* Starts a note of `hz` that lasts `length_blocks`. `other_hz` is the pitch of the higher note of
+ * FLUTE_GRACE or of the lower pitch of FLUTE_TAP; other ornaments do not use it. */
 void flute_play(struct flute *flute, float hz, float level, uint32_t length_blocks,
-                uint8_t ornament);
+                uint8_t ornament, float other_hz);
 
 /* Adds a block to `mix`, SOUND_BLOCK frames of two samples, with the gains `pan`. */
 void flute_render(struct flute *flute, struct tone pan, float *mix);

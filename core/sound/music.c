@@ -42,22 +42,25 @@
 
 #define PART_THEME                                                                                 \
     { .phrases = 4, .beats_per_min = 134, .melody_count = 4, .close_count = 3, .bar_count = 4,     \
-      .melody = THEME, .close = THEME_CLOSE, .bar = GROUND, .fill = GROUND_FILL }
+      .scale = SCALE_YO, .melody = THEME, .close = THEME_CLOSE, .bar = GROUND,                     \
+      .fill = GROUND_FILL }
 #define PART_CHORUS                                                                                \
     { .phrases = 4, .beats_per_min = 138, .melody_count = 4, .close_count = 3, .bar_count = 4,     \
-      .melody = CHORUS, .close = CHORUS_CLOSE, .bar = GROUND, .fill = GROUND_FILL }
+      .scale = SCALE_YO, .melody = CHORUS, .close = CHORUS_CLOSE, .bar = GROUND,                   \
+      .fill = GROUND_FILL }
 
 const struct score_part score_parts[SCORE_PARTS] = {
     /* The drums alone open the music. */
     { .phrases = 1, .beats_per_min = 128, .melody_count = 1, .close_count = 1, .bar_count = 3,
-      .melody = SILENCE, .close = SILENCE, .bar = DIALOG, .fill = DIALOG_FILL },
+      .scale = SCALE_YO, .melody = SILENCE, .close = SILENCE, .bar = DIALOG, .fill = DIALOG_FILL },
     PART_THEME,
     PART_CHORUS,
     PART_THEME,
     { .phrases = 4, .beats_per_min = 108, .melody_count = 4, .close_count = 2, .bar_count = 3,
-      .melody = CALM, .close = CALM_CLOSE, .bar = CALM_BARS, .fill = CALM_FILL },
+      .scale = SCALE_MIYAKO_BUSHI, .melody = CALM, .close = CALM_CLOSE, .bar = CALM_BARS,
+      .fill = CALM_FILL },
     { .phrases = 2, .beats_per_min = 138, .melody_count = 3, .close_count = 3, .bar_count = 3,
-      .melody = CALLS, .close = CALLS, .bar = DIALOG, .fill = DIALOG_FILL },
+      .scale = SCALE_YO, .melody = CALLS, .close = CALLS, .bar = DIALOG, .fill = DIALOG_FILL },
     PART_CHORUS,
     PART_THEME,
 };
@@ -98,6 +101,21 @@ float music_hz(char pitch)
     }
 }
 
+float music_neighbor_hz(const char *scale, char pitch, bool is_higher)
+{
+    uint32_t at = 0;
+    while (scale[at] != pitch) {
+        CORE_ASSERT(scale[at] != '\0');
+        at++;
+    }
+    if (is_higher) {
+        at += scale[at + 1u] != '\0';
+    } else {
+        at -= at > 0;
+    }
+    return music_hz(scale[at]);
+}
+
 /* ---- Player --------------------------------------------------------------------------------- */
 
 /* Blocks (14 ms) by which the second flute follows, and its tuning. */
@@ -121,11 +139,8 @@ enum music_choice {
 /* Returns a random number for a use at the present position. */
 static uint32_t choose(const struct music *music, enum music_choice use, uint32_t which)
 {
-    uint32_t x = music->seed ^ (music->bars * 0x9e3779b9u) ^ ((uint32_t)use * 0x85ebca6bu) ^
-                 (which * 0xc2b2ae35u);
-    x = (x ^ (x >> 16)) * 0x7feb352du;
-    x = (x ^ (x >> 15)) * 0x846ca68bu;
-    return x ^ (x >> 16);
+    return tone_scramble(music->seed ^ (music->bars * 0x9e3779b9u) ^ ((uint32_t)use * 0x85ebca6bu) ^
+                         (which * 0xc2b2ae35u));
 }
 
 static const struct score_part *part_now(const struct music *music)
@@ -182,7 +197,8 @@ static uint32_t digit(char hex)
 
 static void next_note(struct music *music)
 {
-    const float hz = music_hz(music->melody[0]);
+    const char pitch = music->melody[0];
+    const float hz = music_hz(pitch);
     const uint32_t steps = digit(music->melody[1]);
     music->melody += 2;
     music->note_steps = steps;
@@ -197,8 +213,9 @@ static void next_note(struct music *music)
     music->late.length_blocks = (uint32_t)(int32_t)blocks;
     music->late.ornament = FLUTE_PLAIN;
     music->late_blocks = LATE_BLOCKS;
-    flute_play(&music->flute[0], hz, FLUTE_LEVEL * accent, music->late.length_blocks,
-               ornament_of(music, steps));
+    const uint8_t ornament = ornament_of(music, steps);
+    flute_play(&music->flute[0], hz, FLUTE_LEVEL * accent, music->late.length_blocks, ornament,
+               music_neighbor_hz(part_now(music)->scale, pitch, ornament == FLUTE_GRACE));
 }
 
 /* ---- Drums ---------------------------------------------------------------------------------- */
@@ -287,7 +304,7 @@ void music_render(struct music *music, float *mix)
     music->late_blocks -= music->late_blocks > 0;
     if (is_late_due) {
         flute_play(&music->flute[1], music->late.hz, music->late.level, music->late.length_blocks,
-                   music->late.ornament);
+                   music->late.ornament, music->late.hz);
     }
     flute_render(&music->flute[0], tone_pan(-0.25f), mix);
     flute_render(&music->flute[1], tone_pan(0.35f), mix);

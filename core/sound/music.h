@@ -10,6 +10,7 @@
  * with other variants. */
 #pragma once
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/sound/drum.h"
@@ -35,11 +36,16 @@ struct score_bar {
     const char *taiko, *shime, *bell;
 };
 
+/* Pitches of the tune and of the calm part, from low to high. */
+#define SCALE_YO "degabDEGAB"
+#define SCALE_MIYAKO_BUSHI "efabcEFAB"
+
 /* A part of the form, of `phrases` phrases. The last phrase of a part is chosen from `close`. */
 struct score_part {
     uint8_t phrases;
     uint8_t beats_per_min;
     uint8_t melody_count, close_count, bar_count;
+    const char *scale; /* Pitches of the melodies and of the ornaments, from low to high. */
     score_melody melody[SCORE_VARIANTS_MAX], close[SCORE_VARIANTS_MAX];
     struct score_bar bar[SCORE_VARIANTS_MAX];
     struct score_bar fill; /* Drums of the last bar of the part. */
@@ -50,6 +56,10 @@ extern const struct score_part score_parts[SCORE_PARTS];
 
 /* Returns the pitch of a melody's character in Hz, or 0 for a rest. */
 float music_hz(char pitch);
+
+/* Returns the pitch in Hz of the next higher or lower character of `scale`. At the end of the
+ * scale, returns the pitch of `pitch`. Asserts that the scale contains `pitch`. */
+float music_neighbor_hz(const char *scale, char pitch, bool is_higher);
 
 struct music {
     uint32_t seed;

@@ -222,7 +222,9 @@ void synth_play(struct synth *synth, const struct sound_event *event)
     const struct tone pan = tone_pan(event->pan);
     const struct tone side = { gain * pan.x, gain * pan.y };
     struct synth_voice *voice = find_voice(synth);
-    *voice = (struct synth_voice){ .sound = event->sound, .noise = ++synth->played * 2654435761u };
+    /* The numbers of the sounds are scrambled. The first random number, which changes the pitch,
+     * would otherwise rise steadily from sound to sound. */
+    *voice = (struct synth_voice){ .sound = event->sound, .noise = tone_scramble(++synth->played) };
     voice->length_blocks = blocks_of(recipe->length_ms);
     voice->left = side.x;
     voice->right = side.y;

@@ -56,6 +56,14 @@ static inline float tone_share(float ms)
     return 1.0f - f_exp(-1000.0f / (ms * SOUND_BLOCKS_PER_S));
 }
 
+/* Returns a number in which each bit depends on all bits of `x`. */
+static inline uint32_t tone_scramble(uint32_t x)
+{
+    x = (x ^ (x >> 16)) * 0x7feb352du;
+    x = (x ^ (x >> 15)) * 0x846ca68bu;
+    return x ^ (x >> 16);
+}
+
 /* Returns white noise in [-1, 1) from a linear congruential generator. The high bits of the
  * generator are sufficiently random for the sounds of water and paper. */
 static inline float tone_noise(uint32_t *state)

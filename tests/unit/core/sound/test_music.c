@@ -14,15 +14,51 @@ static uint32_t hex(char c)
     return (uint32_t)(c <= '9' ? c - '0' : c - 'A' + 10);
 }
 
-static void check_melody(const char *melody)
+static void check_melody(const char *melody, const char *scale)
 {
     uint32_t steps = 0;
     for (; melody[0] != '\0'; melody += 2) {
         const float hz = music_hz(melody[0]);
+        assert_true(melody[0] == '-' || strchr(scale, melody[0]) != NULL);
         assert_true(hz == 0.0f || (hz > 580.0f && hz < 2000.0f));
         steps += hex(melody[1]);
     }
     assert_int_equal(steps, SCORE_STEPS_PER_PHRASE);
+}
+
+static bool is_in_scale(const char *scale, float hz)
+{
+    bool is_in = false;
+    for (; *scale != '\0'; scale++) {
+        is_in |= f_abs(music_hz(*scale) - hz) < 0.1f;
+    }
+    return is_in;
+}
+
+/* Each grace note and each tap must be the neighbour of its note in the scale of the part. */
+static void test_the_ornaments_stay_in_the_scale(void **state)
+{
+    (void)state;
+    static struct music music;
+    uint32_t graces = 0, taps = 0;
+    music_init(&music, 4);
+    while (music.part < SCORE_PARTS) {
+        float mix[2u * SOUND_BLOCK] = { 0 };
+        const char *const scale = score_parts[music.part].scale;
+        music_render(&music, mix);
+        const struct flute *const flute = &music.flute[0];
+        if (flute->age_blocks == 1u && music.part < SCORE_PARTS) {
+            const float other_hz = flute->goal_hz * flute->other;
+            const bool is_grace = flute->ornament == FLUTE_GRACE;
+            const bool is_tap = flute->ornament == FLUTE_TAP;
+            assert_true(!is_grace || flute->other >= 1.0f);
+            assert_true(!is_tap || flute->other <= 1.0f);
+            assert_true(is_in_scale(scale, flute->goal_hz) && is_in_scale(scale, other_hz));
+            graces += is_grace;
+            taps += is_tap;
+        }
+    }
+    assert_true(graces > 20u && taps > 10u);
 }
 
 static void check_bar(const struct score_bar *bar)
@@ -42,10 +78,10 @@ static void test_each_phrase_and_each_bar_has_its_full_length(void **state)
         const struct score_part *part = &score_parts[p];
         assert_true(part->phrases > 0 && part->melody_count > 0 && part->close_count > 0);
         for (uint32_t i = 0; i < part->melody_count; i++) {
-            check_melody(part->melody[i]);
+            check_melody(part->melody[i], part->scale);
         }
         for (uint32_t i = 0; i < part->close_count; i++) {
-            check_melody(part->close[i]);
+            check_melody(part->close[i], part->scale);
         }
         for (uint32_t i = 0; i < part->bar_count; i++) {
             check_bar(&part->bar[i]);
@@ -139,7 +175,7 @@ static void test_the_flute_has_the_pitch_of_its_note(void **state)
     (void)state;
     static struct flute flute;
     flute = (struct flute){ .noise = 1 };
-    flute_play(&flute, 880.0f, 0.3f, blocks(2.0f), FLUTE_PLAIN);
+    flute_play(&flute, 880.0f, 0.3f, blocks(2.0f), FLUTE_PLAIN, 880.0f);
     float mix[2u * SOUND_BLOCK], last = 0.0f;
     uint32_t rises = 0;
     for (uint32_t i = 0; i < blocks(1.5f); i++) {
@@ -160,6 +196,7 @@ int main(void)
         cmocka_unit_test(test_each_phrase_and_each_bar_has_its_full_length),
         cmocka_unit_test(test_seeds_choose_different_phrases_and_a_seed_always_the_same),
         cmocka_unit_test(test_the_form_repeats_with_other_variants),
+        cmocka_unit_test(test_the_ornaments_stay_in_the_scale),
         cmocka_unit_test(test_a_stroke_decays_and_frees_its_place),
         cmocka_unit_test(test_the_flute_has_the_pitch_of_its_note),
     };

@@ -220,6 +220,25 @@ static void test_two_dips_sound_slightly_different(void **state)
     assert_memory_not_equal(second, heard, sizeof second);
 }
 
+/* The pitches of drops that follow each other must not rise or fall steadily. Of independent
+ * pitches, two of three lie above both or below both of their neighbours. */
+static void test_the_pitches_of_drops_do_not_follow_each_other(void **state)
+{
+    (void)state;
+    static int16_t wave[2u * SOUND_RATE_HZ / 5u];
+    const struct sound_event drop = { SOUND_DRIP, 0.5f, 0.0f };
+    float hz[60];
+    uint32_t turns = 0;
+    mixer_init(&mixer, 1);
+    for (uint32_t i = 0; i < 60; i++) {
+        mixer_play(&mixer, &drop);
+        hz[i] = mixer.synth.voice[0].layer[0].hz;
+        mixer_render(&mixer, wave, SOUND_RATE_HZ / 5u);
+        turns += i >= 2 && (hz[i] > hz[i - 1u]) != (hz[i - 1u] > hz[i - 2u]);
+    }
+    assert_in_range(turns, 30, 50);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -235,6 +254,7 @@ int main(void)
         cmocka_unit_test(test_the_clappers_sound_twice),
         cmocka_unit_test(test_the_umpires_whistle_flutters),
         cmocka_unit_test(test_two_dips_sound_slightly_different),
+        cmocka_unit_test(test_the_pitches_of_drops_do_not_follow_each_other),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
