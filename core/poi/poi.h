@@ -108,6 +108,7 @@ struct poi {
     /* Tick numbers of the last slap sound and the last tear sound; 0 means that there was no sound
      * yet. */
     uint32_t slap_tick, tear_tick;
+    float tear_gain; /* Gain of the last tear sound. It affects sounds only. */
     struct sheet sheet;
     /* Effect of the last tick on the paper: number of torn cells and highest tension. */
     struct sheet_events strain;

@@ -44,7 +44,7 @@ const struct field_table poi_fields = FIELD_TABLE(poi,
     FIELD(water_kg), FIELD(tip), FIELD(pressure_pa), FIELD(carried_kg), FIELD(before_angles),
     FIELD(pace_m_s), FIELD(drag_n_s_m), FIELD(slam_n), FIELD(added_kg), FIELD(edge_n_s_m),
     FIELD(meniscus_n), FIELD(film_kg), FIELD(pool_kg), FIELD(drip_kg), FIELD(slap_tick),
-    FIELD(tear_tick), FIELD(strain), FIELD(load_count), FIELD(slap_count),
+    FIELD(tear_tick), FIELD_SKIP(tear_gain), FIELD(strain), FIELD(load_count), FIELD(slap_count),
     FIELD_STRUCT_USED(carried_fish, &carried_fish_fields, carried_count),
     FIELD_STRUCT_USED(loads, &sheet_load_fields, load_count), FIELD_STRUCT(sheet, &sheet_fields));
 #undef STRUCT

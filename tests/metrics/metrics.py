@@ -105,6 +105,7 @@ FEATURE_LINES = {
     'a camera that comes closer in a round with one player, its setting, and calm changes of render targets': 133,
     'sounds that come from their side of the picture, also on a portrait screen': 24,
     'ornaments of the flute in the scale of the tune, and random pitches of sounds that follow each other': 27,
+    'a tear that grows and is heard in its full strength': 12,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.

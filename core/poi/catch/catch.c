@@ -18,6 +18,7 @@
 #define LAND_M_S 0.2f
 #define SLAP_EVERY_TICKS 8u /* Lowest number of ticks between two slap sounds of a poi. */
 #define TEAR_EVERY_TICKS 14u
+#define TEAR_LOUDER 0.2f
 
 struct scoop { /* Data that the functions in this file share in one tick. */
     struct poi *poi;
@@ -89,6 +90,22 @@ static float dry_share(const struct sheet *sheet)
 /* Share of dry paper from which the paper is heard as it becomes wet. */
 #define DRY_FROM 0.1f
 
+/* Plays the sound of a tear. Most tears begin with few cells and grow within some ticks. A tear
+ * that grows is therefore played again when it has become TEAR_LOUDER louder. */
+static void sound_tear(const struct scoop *scoop)
+{
+    struct poi *poi = scoop->poi;
+    if (poi->strain.cells_torn == 0) {
+        return;
+    }
+    const float torn = f_clamp(0.4f + 0.03f * (float)poi->strain.cells_torn, 0.0f, 1.0f);
+    if (time_for(&poi->tear_tick, scoop->tick, TEAR_EVERY_TICKS) ||
+        torn > poi->tear_gain + TEAR_LOUDER) {
+        poi->tear_gain = torn;
+        output_sound(scoop->output, SOUND_TEAR, torn, scoop->pan);
+    }
+}
+
 static void sound_ring(const struct scoop *scoop)
 {
     struct poi *poi = scoop->poi;
@@ -107,10 +124,7 @@ static void sound_ring(const struct scoop *scoop)
         output_sound(scoop->output, SOUND_DRIP, f_min(0.2f + 0.15f * (float)poi->drops, 1.0f),
                      scoop->pan);
     }
-    if (poi->strain.cells_torn > 0 && time_for(&poi->tear_tick, scoop->tick, TEAR_EVERY_TICKS)) {
-        const float torn = f_clamp(0.4f + 0.03f * (float)poi->strain.cells_torn, 0.0f, 1.0f);
-        output_sound(scoop->output, SOUND_TEAR, torn, scoop->pan);
-    }
+    sound_tear(scoop);
 }
 
 /* ---- Fish that leave the poi ----------------------------------------------------------------- */
