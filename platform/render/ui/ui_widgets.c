@@ -170,8 +170,8 @@ void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float
 #define CLINK_S 0.5f
 #define COMING_WIDTH 84.0f /* Width of the text "+99" with its margins, in layout units. */
 
-/* Width in layout units that the plates occupy at each side of the screen during a round. The
- * stress legend of ui_round.c is the widest plate. */
+/* Width in layout units that the plates occupy at each side of the screen during a round, and the
+ * credits on the page of modes. The stress legend of ui_round.c is the widest plate. */
 #define PLATES_WIDTH 284.0f
 /* Lower edge in layout units of the plates at the sides of the screen during a round. The stress
  * legend of ui_round.c is the lowest plate. */
@@ -233,9 +233,13 @@ void ui_warnings(const struct ui_frame *frame)
         { active & WARN_STORE, TEXT_WARN_STORE },
     };
     /* The warnings are below the shop curtain in attract mode (the demonstration between rounds),
-     * and below the plates during a round. */
-    float y = (scene->phase == PHASE_ATTRACT ? 0.335f : 0.215f) * frame->height;
-    const float beside = in_round && y < PLATES_REACH * frame->unit ? PLATES_WIDTH : 16.0f;
+     * and below the plates during a round. On a page they cover the title, which a visitor needs
+     * least. */
+    const bool is_page = scene->phase == PHASE_NAME || scene->phase == PHASE_MODE_SELECT ||
+                         scene->phase == PHASE_RESULT;
+    float y = (scene->phase == PHASE_ATTRACT ? 0.335f : is_page ? 0.06f : 0.215f) * frame->height;
+    const bool has_plates = in_round || scene->phase == PHASE_MODE_SELECT;
+    const float beside = has_plates && y < PLATES_REACH * frame->unit ? PLATES_WIDTH : 16.0f;
     const float room_px = frame->width - 2.0f * beside * frame->unit;
     for (uint32_t i = 0; i < sizeof warnings / sizeof *warnings; i++) {
         if (warnings[i].is_shown) {

@@ -14,6 +14,10 @@
 #define MENU_NOTE 0xc9d2eeffu /* Colour of a note on the darkened tank. */
 #define MENU_GOOD 0x17754effu
 #define MENU_BAD 0xb3261effu
+/* Inks of words on the wood of a board, which have the contrast of small text: a value that was
+ * changed or a count of faults, and a function that is switched on. */
+#define MENU_INK_CHANGED 0x6c0b06ffu
+#define MENU_INK_ON 0x0b3d26ffu
 
 /* Texts of a page and of its tags, and the function that draws the page. */
 struct menu_words {

@@ -44,7 +44,7 @@ static void raw_line(const struct ui_frame *frame, uint32_t index, struct ui_box
     if (line.faults > 0) {
         snprintf(digits, sizeof digits, "%u", line.faults % 10000u);
         ui_words_at(frame, box.x + box.width - 14.0f * u, y, 0.3f * box.width, 1.0f,
-                    ui_body(frame, 22.0f, MENU_BAD), digits);
+                    ui_body(frame, 22.0f, MENU_INK_CHANGED), digits);
     }
 }
 

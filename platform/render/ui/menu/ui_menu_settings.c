@@ -8,8 +8,6 @@
 #include "core/base/panic.h"
 #include "platform/render/ui/menu/ui_menu.h"
 
-/* Colour of a value that differs from its default, dark enough to be readable on wood. */
-#define CHANGED_PAINT 0x86120bffu
 #define ARROW_PAINT 0x5a3418ffu /* Colour of the plate of an arrow that changes a value. */
 
 /* Text size of the range on a board, and margin at the left edge of a board. Both are in canvas
@@ -132,7 +130,7 @@ static struct ui_text sized(const struct ui_frame *frame, struct ui_box box, flo
 void menu_seal(const struct ui_frame *frame, float x, float y)
 {
     const float u = frame->unit;
-    ui_panel(frame, UI_PANEL, ui_around(x, y, 8.0f * u), 3.0f * u, 0.0f, CHANGED_PAINT, 0);
+    ui_panel(frame, UI_PANEL, ui_around(x, y, 8.0f * u), 3.0f * u, 0.0f, MENU_INK_CHANGED, 0);
 }
 
 /* Texts on the board of a setting or of one bit of a setting. */
@@ -153,8 +151,9 @@ static void draw_value(const struct ui_frame *frame, struct ui_box box, float si
     const struct ui_box arrows[2] = { ui_place(frame, menu_arrow_box(row, true)),
                                       ui_place(frame, menu_arrow_box(row, false)) };
     const float left = arrows[0].x + arrows[0].width, middle = box.y + 0.47f * box.height;
-    ui_words_at(frame, 0.5f * (left + arrows[1].x), middle, arrows[1].x - left, 0.5f,
-                sized(frame, box, size, board->is_changed ? CHANGED_PAINT : board->ink),
+    const float room = arrows[1].x - left - 16.0f * frame->unit;
+    ui_words_at(frame, 0.5f * (left + arrows[1].x), middle, room, 0.5f,
+                sized(frame, box, size, board->is_changed ? MENU_INK_CHANGED : board->ink),
                 board->value);
     for (int i = 0; i < 2 && menu_has_arrows(menu->page, menu->rules, board->tag); i++) {
         const float way = (float)(2 * i - 1) * 26.0f * frame->unit;
@@ -285,7 +284,7 @@ void menu_bits(const struct ui_frame *frame)
                    &(struct board){ .name = ui_words(frame, words->choices[bit]),
                                     .range = range,
                                     .value = states[is_on],
-                                    .ink = is_on ? MENU_GOOD : MENU_INK_SOFT,
+                                    .ink = is_on ? MENU_INK_ON : MENU_INK_SOFT,
                                     .is_changed = is_on != is_standard,
                                     .tag = bit });
     }

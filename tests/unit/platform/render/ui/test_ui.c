@@ -158,8 +158,6 @@ static void test_the_middle_of_the_tank_is_uncovered_during_a_round(void **state
     }
 }
 
-/* On a screen with a height of 40 cm, a letter of 3 % of the height is 12 mm high. Seen from 2 m,
- * these are 20 arc minutes. */
 /* Smallest em of a text for players, as a fraction of the height of a wide screen. Capitals are
  * 0.71 em high. On a screen of 32 inches, which is 40 cm high, they are 8.7 mm high, which is 10
  * arc minutes seen from 3 m. Letters of this size test an acuity of 6/12
@@ -456,35 +454,64 @@ static void test_no_letter_of_the_title_crosses_a_slit_of_the_curtain(void **sta
     }
 }
 
-/* Every letter must lie inside its plate, tag, paper or ribbon. Letters that fly, pop or cross a
- * plate while they move are not drawn in the still moments of this test. */
+/* Lays out the scene, and fails if a letter extends beyond its plate, tag, paper or ribbon. */
+static void check_no_letter_overflows(struct size size, const char *page, uint32_t number)
+{
+    memory = (struct ui_memory){ 0 };
+    memcpy(memory.caught, scene.caught, sizeof memory.caught);
+    lay_out(size);
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        const float over = batch.kinds[i] == UI_GLYPH ? glyph_overflow_px(&batch, i) : 0.0f;
+        if (over > 1.0f) {
+            const struct bounds at = bounds_of(i);
+            fail_msg("%s %u, language %d, %.0fx%.0f, text %d: a letter at %.0f,%.0f overflows its "
+                     "box by %.1f px",
+                     page, number, scene.language, (double)size.width, (double)size.height,
+                     scene.text_size, (double)at.left, (double)at.top, (double)over);
+        }
+    }
+}
+
+static const struct size overflow_sizes[] = {
+    { 1280, 720 }, { 720, 1280 }, { 1024, 768 }, { 1200, 1920 }
+};
+
+/* Letters that fly, pop or cross a plate while they move are not drawn in the still moments of
+ * these tests. */
 static void test_no_text_overflows_its_box(void **state)
 {
     (void)state;
     static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_MODE_SELECT, PHASE_READY, PHASE_ROUND,
                                       PHASE_RESULT };
-    static const struct size shapes[] = { { 1280, 720 }, { 720, 1280 }, { 1024, 768 } };
-    for (uint32_t k = 0; k < 5u * MODE_COUNT * POI_MAX * 3u; k++) {
+    for (uint32_t k = 0; k < 5u * MODE_COUNT * POI_MAX * 4u; k++) {
         const uint8_t phase = phases[k % 5u], mode = (uint8_t)(k / 5u % MODE_COUNT);
         const uint32_t players = k / (5u * MODE_COUNT) % POI_MAX + 1u;
         for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
             set_scene(phase, language, HINT_NONE, phase == PHASE_READY ? 1.5f : 20.0f);
             set_match(mode, players, 0);
             scene.text_size = (uint8_t)(k % 3u);
-            memory = (struct ui_memory){ 0 };
-            memcpy(memory.caught, scene.caught, sizeof memory.caught);
-            lay_out(shapes[k / (5u * MODE_COUNT * POI_MAX)]);
-            for (uint32_t i = 0; i < batch.quad_count; i++) {
-                const float over = batch.kinds[i] == UI_GLYPH ? glyph_overflow_px(&batch, i) : 0.0f;
-                if (over > 1.0f) {
-                    const struct bounds at = bounds_of(i);
-                    fail_msg("phase %d mode %d language %d players %u text %d: a letter at "
-                             "%.0f,%.0f overflows its box by %.1f px",
-                             phase, mode, language, players, scene.text_size, (double)at.left,
-                             (double)at.top, (double)over);
-                }
-            }
+            check_no_letter_overflows(overflow_sizes[k / (5u * MODE_COUNT * POI_MAX)], "phase",
+                                      phase);
         }
+    }
+}
+
+static void test_no_hint_and_no_warning_overflows_its_box(void **state)
+{
+    (void)state;
+    static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_MODE_SELECT, PHASE_ROUND,
+                                      PHASE_RESULT,  PHASE_NAME,        PHASE_ALBUM };
+    for (uint32_t k = 0; k < 6u * 4u * LANGUAGE_COUNT * HINT_COUNT; k++) {
+        const uint8_t hint = (uint8_t)(k / (6u * 4u * LANGUAGE_COUNT));
+        set_scene(phases[k % 6u], (uint8_t)(k / 24u % LANGUAGE_COUNT), hint, 20.0f);
+        scene.text_size = (uint8_t)(hint % 3u);
+        scene.credit.price = hint % 2u;
+        scene.credit.credits = 88;
+        scene.credit.coming = 88;
+        scene.credit.request_s = 1e6f;
+        scene.credit.warnings = (uint8_t)(1u << hint % 4u);
+        check_no_letter_overflows(overflow_sizes[k / 6u % 4u], "100 times the hint, plus phase",
+                                  100u * hint + phases[k % 6u]);
     }
 }
 
@@ -804,6 +831,7 @@ int main(void)
         cmocka_unit_test(test_text_for_players_is_readable_from_three_metres),
         cmocka_unit_test(test_no_letter_of_the_title_crosses_a_slit_of_the_curtain),
         cmocka_unit_test(test_no_text_overflows_its_box),
+        cmocka_unit_test(test_no_hint_and_no_warning_overflows_its_box),
         cmocka_unit_test(test_every_leaderboard_fits_the_screen),
         cmocka_unit_test(test_the_name_entry_fits_every_screen),
         cmocka_unit_test(test_each_offered_mode_has_a_tag_and_the_selected_tag_is_raised),

@@ -535,8 +535,8 @@ static double contrast(uint32_t a, uint32_t b)
 static void test_ink_has_contrast_to_the_wood_of_the_boards(void **state)
 {
     (void)state;
-    static const uint32_t inks[] = { MENU_INK, MENU_INK_SOFT };
-    for (uint32_t i = 0; i < 2u; i++) {
+    static const uint32_t inks[] = { MENU_INK, MENU_INK_SOFT, MENU_INK_CHANGED, MENU_INK_ON };
+    for (uint32_t i = 0; i < sizeof inks / sizeof *inks; i++) {
         assert_true(contrast(inks[i], UI_CEDAR_DIM) >= 4.5);
         assert_true(contrast(inks[i], UI_CEDAR) >= 4.5);
     }
