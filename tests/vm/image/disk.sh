@@ -63,12 +63,12 @@ make_share() { # SCRIPT of guest/ that the guest runs
     for tool in pidof killall; do ln -s busybox "$share/bin/$tool"; done
     # The guest of test-vm has the same processor and the same Mesa, so its shaders are valid here.
     local kept
-    for kept in "$modules_cache/mesa/mesa_shader_cache" "$shaders"; do
-        [ ! -d "$kept" ] || { mkdir -p "$share/mesa" && cp -r "$kept/." "$share/mesa/"; }
+    for kept in "$modules_cache"/mesa/mesa_shader_cache* "$shaders"/mesa_shader_cache*; do
+        [ ! -d "$kept" ] || { mkdir -p "$share/mesa" && cp -r "$kept" "$share/mesa/"; }
     done
 }
 
-keep_shaders() { # Keeps the compiled shaders for the next machine.
+keep_shaders() { # Keeps the compiled shaders for the next machine (guest/common.sh).
     [ ! -d "$share/out/mesa" ] || { rm -rf "$shaders"; mv "$share/out/mesa" "$shaders"; }
 }
 

@@ -50,7 +50,10 @@ reads() { # NAME OPERATOR NUMBER
     test "$(read_count "$1")" "$2" "$3" 2>/dev/null
 }
 
-keep_shaders() { # Copies the shaders for the next machine, all of them or none.
-    cp -r /var/cache/kingyo/mesa_shader_cache $host/out/mesa.new 2>/dev/null && rm -rf $host/out/mesa &&
+# Copies the shaders for the next machine, all of them or none. Mesa 25 has them in the folder mesa_shader_cache_db, Mesa 22
+# in mesa_shader_cache.
+keep_shaders() {
+    mkdir -p $host/out/mesa.new
+    cp -r /var/cache/kingyo/mesa_shader_cache* $host/out/mesa.new/ 2>/dev/null && rm -rf $host/out/mesa &&
         mv $host/out/mesa.new $host/out/mesa
 }

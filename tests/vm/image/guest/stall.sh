@@ -30,7 +30,7 @@ part() { # NAME
 }
 
 say "booted $(uname -rm), systemd $(systemctl --version | sed -n '1s/systemd \([0-9]*\).*/\1/p')"
-await 900 is_open
+await 2400 is_open
 found $? opens "$(opened_ms) ms after power on, of which systemd took $(($(unit_property InactiveExitTimestampMonotonic) / 1000)) to start it"
 follow
 shot attract

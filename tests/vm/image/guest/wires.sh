@@ -4,7 +4,7 @@
 . /run/host/guest/common.sh
 if [ -d $host/mesa ]; then
     mkdir -p /var/cache/kingyo
-    cp -r $host/mesa /var/cache/kingyo/mesa_shader_cache
+    cp -r $host/mesa/. /var/cache/kingyo/
     chown -R kingyo:kingyo /var/cache/kingyo
 fi
 mount -t configfs config /sys/kernel/config 2>/dev/null
