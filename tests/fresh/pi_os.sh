@@ -3,8 +3,8 @@
 # as a person runs them on Raspberry Pi OS, and checks what they leave behind.
 #
 # The commands are read from the page. Programs of the root run by qemu's emulation of user programs. The root has no
-# kernel, no firmware, no card and no raspi-config. Therefore `mount`, `raspi-config` and `systemctl daemon-reload` only
-# record their arguments, and the commands that change a card in another computer run on files.
+# kernel, no firmware, no card and no raspi-config. Therefore `mount`, `raspi-config`, `systemctl stop` and
+# `systemctl daemon-reload` only record their arguments, and the commands that change a card in another computer run on files.
 #
 # The packages are those of `make deb ARCH=arm64`. Needs root, mmdebstrap and this machine's mirror. Speaks TAP.
 set -u
@@ -43,8 +43,8 @@ prepare() {
     for program in mount raspi-config; do
         printf '#!/bin/sh\necho "%s $*" >>/home/pi/recorded\n' $program >"$root/home/recorders/$program"
     done
-    # systemd does not run here, so it cannot read its units again.
-    printf '#!/bin/sh\nif [ "$1" = daemon-reload ]; then echo "systemctl $*" >>/home/pi/recorded; else exec /usr/bin/systemctl "$@"; fi\n' \
+    # systemd does not run here, so it cannot stop a service or read its units again.
+    printf '#!/bin/sh\ncase $1 in stop | daemon-reload) echo "systemctl $*" >>/home/pi/recorded ;; *) exec /usr/bin/systemctl "$@" ;; esac\n' \
         >"$root/home/recorders/systemctl"
     echo "127.0.0.1 localhost $(hostname)" >"$root/etc/hosts"
     # sudo sets its own path. Root may use it without a password.
@@ -102,7 +102,10 @@ echo /home/pi >"$root/home/pi/folder"
 check 'the data partition can be set up' runs 'A read-only root' 2
 valid() { inside findmnt --verify --tab-file /etc/fstab 2>&1 | tee "$work/verified"; grep '^0 parse errors' "$work/verified"; }
 check 'fstab can be parsed' valid
-mounted() { grep -x 'mount /var/lib/kingyo' "$root/home/pi/recorded" && [ "$(inside stat -c %U:%G /var/lib/kingyo)" = kingyo:kingyo ]; }
+mounted() { # The kiosk is stopped before, so that it writes nothing below the mount.
+    grep -v daemon-reload "$root/home/pi/recorded" | head -2 | paste -s -d , | grep -x 'systemctl stop kingyo,mount /var/lib/kingyo' &&
+        [ "$(inside stat -c %U:%G /var/lib/kingyo)" = kingyo:kingyo ]
+}
 check 'the partition is mounted, and belongs to the kiosk' mounted
 check 'the check of the data starts at power on' enabled kingyo-data.service
 check 'the kiosk can be set to start without the partition' runs 'A read-only root' 3
