@@ -30,6 +30,7 @@ struct display_settings {
     /* How a mouse or a touch screen acts on the picture (drivers/pointer/pointer_poi.h): 1 if one
      * click dips and the next click lifts, and the reach in per cent; 0 means 100. */
     uint32_t dips_by_click, reach_percent;
+    uint32_t has_white_bowls; /* 1 if the bowls are classic white, 0 with bands of colour. */
     uint32_t is_day; /* 1 if the stall is drawn in daylight, 0 at night with bulbs and lanterns. */
 };
 

@@ -67,6 +67,7 @@ static const struct setting table[SETTING_COUNT] = {
     [SET_QUIET_TO_MIN] = { "quiet-to", GROUP_SOUND, KIND_MINUTE, 0, 1425, 15, 0, 11 },
     [SET_TIME] = { "time", GROUP_PICTURE, KIND_CHOICE, 0, 1, 1, 0, 11 },
     [SET_CAMERA] = { "camera", GROUP_PICTURE, KIND_CHOICE, 0, 1, 1, 0, 12 },
+    [SET_BOWL] = { "bowl", GROUP_PICTURE, KIND_CHOICE, 0, 1, 1, 0, 12 },
 };
 /* clang-format on */
 
@@ -122,7 +123,7 @@ const struct field_table settings_fields =
     FIELD_TABLE(settings, FIELD_RANGE(value[0], SET_LEVEL), FIELD_SINCE(9, value[SET_LEVEL], 1),
                 FIELD_RANGE_SINCE(10, value[SET_DIP], SET_MUSIC - SET_DIP, 2),
                 FIELD_RANGE_SINCE(11, value[SET_MUSIC], SET_CAMERA - SET_MUSIC, 6),
-                FIELD_RANGE_SINCE(12, value[SET_CAMERA], SETTING_COUNT - SET_CAMERA, 1));
+                FIELD_RANGE_SINCE(12, value[SET_CAMERA], SETTING_COUNT - SET_CAMERA, 2));
 #undef STRUCT
 
 uint64_t settings_hash(uint64_t hash, const struct settings *settings, bool hashes_pin)

@@ -89,6 +89,9 @@ enum setting_id {
     /* Camera in a round with one player: 0 if it comes closer around the poi, 1 if it rests. The
      * setting belongs to the picture settings. Recordings have it since format 12. */
     SET_CAMERA,
+    /* Bowls of the players: 0 with a band in the player's colour, 1 classic white. The setting
+     * belongs to the picture settings. Recordings have it since format 12. */
+    SET_BOWL,
     SETTING_COUNT,
 };
 

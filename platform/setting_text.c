@@ -38,6 +38,7 @@ static struct words words_of(uint32_t id)
         [SET_QUIET_VOLUME] = { QUIET_VOLUME_COUNT, { "50", "30", "15", "silent" } },
         [SET_TIME] = { 2, { "night", "day" } },
         [SET_CAMERA] = { 2, { "follow", "rest" } },
+        [SET_BOWL] = { 2, { "colour", "white" } },
         [SET_ROTATION] = { 4, { "0", "90", "180", "270" } },
         /* The value is the paper grade of the poi (the paper scoop). Value 0 means the game mode's
          * own grade. Values 1 to 3 have no name because they are not valid. */
@@ -288,6 +289,7 @@ static const char *const help[SETTING_COUNT] = {
     [SET_CAMERA] =
         ("Camera in a round with one player: follow comes closer to the poi by up to 15 per cent, "
          "rest does not move."),
+    [SET_BOWL] = "Bowls of the players: with a band in the player's colour, or classic white.",
     [SET_PIN] = "Four digits that open the operator's menu. 0 means that the menu needs no PIN.",
 };
 

@@ -37,7 +37,7 @@ void main()
 void main()
 {
     vec3 enamel = vec3(1.0, 0.995, 0.97);
-    float painted = smoothstep(0.90, 0.925, shell.y);
+    float painted = smoothstep(0.90, 0.925, shell.y) * (1.0 - form.w);
 #ifdef INSIDE
     float stripe = clamp((0.030 - abs(shell.y - 0.82)) * (1.0 / 0.015), 0.0, 1.0);
     painted = max(painted, 0.8 * stripe);
@@ -50,8 +50,8 @@ void main()
     float drowned = clamp(grid.z, 0.0, 1.0);
     float caustic = texture(caustics, grid.xy).r;
     tint *= mix(vec3(1.0), vec3(0.90, 0.97, 0.98) * (0.93 + 0.17 * caustic), drowned);
-    float line = abs(grid.z - 0.10) * 7.0;
-    tint *= 1.0 - 0.35 * max(1.0 - line * line, 0.0);
+    float line = abs(grid.z - 0.10) * 4.0;
+    tint *= 1.0 - 0.28 * max(1.0 - line * line, 0.0);
     color = vec4(tint + shine, 1.0);
 #else
     // The outline of the bowl is where its surface turns away from the viewer. The outline fades

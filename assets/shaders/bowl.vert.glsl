@@ -5,7 +5,7 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 surface;   // y: 0 at the bottom, 1 at the lip.
 uniform vec4 mouth;                     // Centre of the mouth. w: radius of the mouth.
 uniform vec4 form;                      // x: depth of the bowl in m. y: height, and z: radius, of
-                                        // the water in the bowl.
+                                        // the water in the bowl. w: 1 if the bowl is white.
 uniform mat3 heel;                      // Tilt of the bowl. The water in the bowl stays level.
 uniform vec4 paint;                     // Colour. w: number of white gaps in the bowl's coloured
                                         // band.
@@ -27,8 +27,8 @@ const float CAP_M = 0.001;  // Height of the cap above the tank's water surface.
 void main()
 {
 #ifdef CAP
-    // The cap is slightly smaller than the mouth, so that the water closes the edge below the lip.
-    vec3 local = heel * (position * (0.998 * mouth.w));
+    // The lip, which is drawn later, covers the edge of the cap.
+    vec3 local = heel * (position * (1.006 * mouth.w));
 #elif defined(WATER)
     float wide = 1.015 * form.z * mouth.w; // The water surface extends into the wall.
     vec3 local = vec3(position.x * wide, form.y * form.x, position.z * wide);
@@ -61,7 +61,7 @@ void main()
     float gap = cos(paint.w * atan(position.x, position.z));
     float gap_edge = cos(0.21 * paint.w);
     shell = vec3(0.0, surface.y, (gap - gap_edge) / max(cos(0.16 * paint.w) - gap_edge, 1e-4));
-    light = vec4(lit * lamps, dot(n, middle), dot(n, view), lamps);
+    light = vec4(lit * lamps * (1.0 + 0.16 * form.w), dot(n, middle), dot(n, view), lamps);
 #ifdef INSIDE
     light.x *= 0.791 + 0.209 * surface.y; // The bottom of the bowl is darker.
 #else

@@ -250,6 +250,7 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
         .light = dimmer->light * 0.01f * (float)value[SET_BRIGHTNESS],
         .dips_by_click = (uint32_t)value[SET_DIP],
         .reach_percent = (uint32_t)value[SET_REACH],
+        .has_white_bowls = (uint32_t)value[SET_BOWL],
         .is_day = (uint32_t)value[SET_TIME],
     };
 }

@@ -161,6 +161,7 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     renderer_fit_below(renderer);
     fish_pass_prepare(&renderer->fish, scene, &renderer->frame, &renderer->quality);
     basin_pass_prepare(&renderer->basin, scene);
+    bowl_pass_prepare(&renderer->bowl, scene, renderer->display_settings.has_white_bowls != 0);
     poi_pass_prepare(&renderer->poi, scene);
     hand_pass_prepare(&renderer->hand, scene);
     basin_pass_keep_deck(&renderer->basin, &renderer->frame, &renderer->deck, &renderer->textures);

@@ -50,7 +50,8 @@
  * version 9 the levels and the presents, version 10 the side of the bowl, the settings for
  * the bodies of the players, the end of a session between two games, and the blocking of credits
  * that may not be on disk, version 11 the settings of the sound and of the light, and version 12
- * the setting of the camera and the place of the bowl on a portrait screen. */
+ * the settings of the camera and of the look of the bowls, and the place of the bowl on a portrait
+ * screen. */
 #define REPLAY_VERSION 12u
 /* Oldest format version that the reader accepts. A recording of an older version is simulated under
  * the rules of that version (config_has_rules() in core/config.h). Versions below 7 are rejected

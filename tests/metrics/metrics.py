@@ -103,6 +103,7 @@ FEATURE_LINES = {
     'hands of bots and the bowl on portrait screens, and a new system that is kept only with a picture': 48,
     'a camera that drifts in attract mode, and pictures below the water that follow it': 108,
     'a camera that comes closer in a round with one player, its setting, and calm changes of render targets': 133,
+    'classic white bowls, and a lip without gaps': 29,
     'sounds that come from their side of the picture, also on a portrait screen': 24,
     'ornaments of the flute in the scale of the tune, and random pitches of sounds that follow each other': 27,
     'a tear that grows and is heard in its full strength': 12,

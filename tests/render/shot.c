@@ -116,6 +116,7 @@ static void place(const struct hal_display *device, const struct shot_options *o
                                                        .shift_x = options->shift,
                                                        .shift_y = options->shift,
                                                        .light = options->light,
+                                                       .has_white_bowls = options->white,
                                                        .is_day = options->day };
     device->ops->set_transform(device->self, &display_settings);
 }

@@ -75,6 +75,7 @@ static const struct plain_option {
     { "--careless", OPTION_FLAG, offsetof(struct shot_options, careless), 0.0f },
     { "--closer", OPTION_FLAG, offsetof(struct shot_options, closer), 0.0f },
     { "--plain", OPTION_FLAG, offsetof(struct shot_options, plain), 0.0f },
+    { "--white", OPTION_FLAG, offsetof(struct shot_options, white), 0.0f },
     { "--day", OPTION_FLAG, offsetof(struct shot_options, day), 0.0f },
     { "--players", OPTION_BYTE, offsetof(struct shot_options, players), 0.0f },
     { "--samples", OPTION_NUMBER, offsetof(struct shot_options, samples), 0.0f },

@@ -16,7 +16,7 @@ struct shot_options {
     /* Stamina of the fish and oxygen content of the water. A negative value means that the preset's
      * value is used. */
     float stamina, oxygen_mg_l;
-    uint8_t plain, day;
+    uint8_t plain, day, white;
     /* Point of the water surface at which the camera looks, and distance of the camera from this
      * point. If the distance is 0, the normal camera is used. */
     float close_x_m, close_z_m, close_m;

@@ -39,6 +39,10 @@ static struct shape_vertex shell_point(float u, float v, const void *context)
     float r;
     float y;
     profile(t, lathe->outside, &r, &y);
+    if (!lathe->outside && v == 1.0f) { /* The inside ends below the lip, without a gap. */
+        r = 1.0f + 0.3f * WALL;
+        y = 0.0f;
+    }
     return (struct shape_vertex){ .position = v3(r * f_cos(around), y, r * f_sin(around)),
                                   .u = lathe->outside ? 1.0f : 0.0f,
                                   .v = t };
@@ -107,8 +111,20 @@ void bowl_pass_close(struct bowl_pass *pass)
     shape_close(&pass->disc);
 }
 
-static void use(const struct bowl_part *part, const struct scene_bowl *bowl)
+void bowl_pass_prepare(struct bowl_pass *pass, const struct scene *scene, bool is_white)
 {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        count += scene->bowl[i].present;
+    }
+    pass->is_white = is_white;
+    pass->is_plain = is_white && count < 2;
+}
+
+static void use(const struct bowl_pass *pass, const struct bowl_part *part,
+                const struct scene_bowl *bowl)
+{
+    static const float white[4] = { 1.0f, 0.995f, 0.97f, 0.0f };
     CORE_ASSERT(bowl->radius_m > 0.0f && bowl->depth_m > 0.0f);
     const vec3 at = bowl->position_m;
     const struct basis axes = vec_basis_from_angles(bowl->angles);
@@ -133,15 +149,15 @@ static void use(const struct bowl_part *part, const struct scene_bowl *bowl)
             high = middle;
         }
     }
-    glUniform4f(part->form, bowl->depth_m, level, r, 0.0f);
-    glUniform4fv(part->paint, 1, poi_paint(bowl->owner));
+    glUniform4f(part->form, bowl->depth_m, level, r, pass->is_white ? 1.0f : 0.0f);
+    glUniform4fv(part->paint, 1, pass->is_plain ? white : poi_paint(bowl->owner));
 }
 
 /* The depth function stays GL_LEQUAL. After a draw call with GL_ALWAYS, the driver of V3D switches
  * off the early depth test for the rest of the picture. */
 void bowl_pass_cap(const struct bowl_pass *pass, const struct scene_bowl *bowl)
 {
-    use(&pass->cap_part, bowl);
+    use(pass, &pass->cap_part, bowl);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     shape_draw(&pass->disc);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -150,7 +166,7 @@ void bowl_pass_cap(const struct bowl_pass *pass, const struct scene_bowl *bowl)
 void bowl_pass_inside(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics)
 {
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
-    use(&pass->inside_part, bowl);
+    use(pass, &pass->inside_part, bowl);
     glEnable(GL_CULL_FACE);
     shape_draw_range(&pass->shell, 0, pass->hull_first);
     glDisable(GL_CULL_FACE);
@@ -158,7 +174,7 @@ void bowl_pass_inside(const struct bowl_pass *pass, const struct scene_bowl *bow
 
 void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl)
 {
-    use(&pass->hull_part, bowl);
+    use(pass, &pass->hull_part, bowl);
     glEnable(GL_BLEND);
     glEnable(GL_CULL_FACE);
     shape_draw_range(&pass->shell, pass->hull_first, (uint32_t)pass->shell.index_count);
@@ -170,7 +186,7 @@ void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl
                      GLuint environment)
 {
     gl_bind_texture(1, GL_TEXTURE_2D, environment);
-    use(&pass->water_part, bowl);
+    use(pass, &pass->water_part, bowl);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
     shape_draw(&pass->disc);

@@ -16,10 +16,18 @@ struct bowl_pass {
     /* Position of the hull's first entry in the index buffer. The entries before it are the inside
      * of the bowl. The hull is the outside and the lip of the bowl's shell. */
     uint32_t hull_first;
+    /* True if the bowls are classic white, and false if they have bands in the colours of the
+     * players. True also for a white bowl without a line, which is the bowl of a player who plays
+     * alone. */
+    bool is_white, is_plain;
 };
 
 void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass);
 void bowl_pass_close(struct bowl_pass *pass);
+
+/* Chooses the look of the bowls of the frame. White bowls of several players have a thin line in
+ * the colour of the player. */
+void bowl_pass_prepare(struct bowl_pass *pass, const struct scene *scene, bool is_white);
 
 /* Draws the inside of the bowl's enamelled shell. */
 void bowl_pass_inside(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);

@@ -152,6 +152,8 @@ static const struct setting_words settings[SETTING_COUNT] = {
                    .choices = { TEXT_OPT_TIME_NIGHT, TEXT_OPT_TIME_DAY } },
     [SET_CAMERA] = { TEXT_SET_CAMERA, TEXT_HELP_CAMERA,
                      .choices = { TEXT_OPT_CAMERA_FOLLOW, TEXT_OPT_CAMERA_REST } },
+    [SET_BOWL] = { TEXT_SET_BOWL, TEXT_HELP_BOWL,
+                   .choices = { TEXT_OPT_BOWL_COLOUR, TEXT_OPT_BOWL_WHITE } },
 };
 
 const struct menu_words *menu_words_of(uint8_t page)

@@ -197,6 +197,47 @@ static void test_the_water_of_a_bowl_is_clear_and_its_fish_cast_shadows(void **s
     assert_true(dark_grey_pixels(pixels[1]) > dark_grey_pixels(pixels[0]) + 30u);
 }
 
+/* Returns the number of pixels in the colour of the first player's band. */
+static uint32_t pink_pixels(const uint8_t rgb[PIXELS_SIZE])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < PIXELS_SIZE; i += 3) {
+        count += rgb[i] > rgb[i + 1] + 50u && rgb[i + 2] > rgb[i + 1] + 10u;
+    }
+    return count;
+}
+
+static void test_a_white_bowl_has_a_line_in_a_colour_only_among_several_players(void **state)
+{
+    (void)state;
+    scene.phase = PHASE_WORDLESS;
+    scene.fish_count = 0;
+    scene.poi[0].present = 0;
+    scene.bowl[0].present = 1;
+    scene.bowl[0].position_m = v3(0.0f, 0.012f, 0.0f);
+    scene.view.target_m = scene.bowl[0].position_m;
+    scene.view.eye_m = v3(0.0f, 0.30f, 0.20f);
+    for (uint32_t day = 0; day < 2; day++) {
+        struct display_settings settings = { .light = 1.0f, .is_day = day };
+        scene.bowl[1] = (struct scene_bowl){ 0 };
+        device.ops->set_transform(device.self, &settings);
+        picture(pixels[0]);
+        const uint32_t colour = pink_pixels(pixels[0]);
+        const int32_t grey = (int32_t)middle(pixels[0], 0);
+        settings.has_white_bowls = 1;
+        device.ops->set_transform(device.self, &settings);
+        picture(pixels[1]);
+        const int32_t bright = (int32_t)middle(pixels[1], 0);
+        assert_int_equal(pink_pixels(pixels[1]), 0);
+        assert_true(bright > grey && abs(bright - (int32_t)middle(pixels[1], 2)) < bright / 8);
+        scene.bowl[1] = scene.bowl[0];
+        scene.bowl[1].position_m.x = 0.4f; /* Outside the picture. */
+        picture(pixels[1]);
+        const uint32_t line = pink_pixels(pixels[1]);
+        assert_true(line > 10u && line < colour / 2u);
+    }
+}
+
 /* Sets up a scene with one fish of 8 cm that is pitched up by 45 degrees and has its nose at
  * `nose_y_m`. The camera looks down at a point of the head 3 mm behind the nose. */
 static void show_gulper(float nose_y_m, uint8_t place)
@@ -576,6 +617,7 @@ int main(void)
         WITH_DISPLAY(test_a_street_with_lamps_by_night_and_bright_by_day_is_behind_the_tank),
         WITH_DISPLAY(test_reflections_of_lanterns_are_small_bright_and_warm),
         WITH_DISPLAY(test_the_water_of_a_bowl_is_clear_and_its_fish_cast_shadows),
+        WITH_DISPLAY(test_a_white_bowl_has_a_line_in_a_colour_only_among_several_players),
         WITH_DISPLAY(test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_below),
         WITH_DISPLAY(test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank),
         WITH_DISPLAY(test_stress_is_drawn_brighter_only_in_practice),
