@@ -46,14 +46,13 @@ static const struct design designs[PATTERN_LAYERS] = {
     { 0.0f, 0.30f, 0.12f, 0.24f,
       { { 0.20f, 0.0f, 0.46f, 0.60f }, { 0.62f, 0.02f, 0.22f, 0.26f } } },
     /* Pattern "saddle": red, with white around the middle of the body. */
-    { 0.0f, 0.22f, 0.20f, 0.14f, { { 0.12f, 0.0f, 0.28f, 0.60f }, { 0.82f, 0.0f, 0.24f, 0.60f } } },
-    /* Pattern "blotches": red patches on white, which run into each other. */
-    { 0.0f, 0.10f, 0.34f, 0.16f,
-      { { 0.21f, 0.17f, 0.12f, 0.14f }, { 0.36f, 0.86f, 0.13f, 0.15f },
-        { 0.52f, 0.12f, 0.12f, 0.14f }, { 0.64f, 0.83f, 0.10f, 0.12f },
-        { 0.83f, 0.04f, 0.13f, 0.16f }, { 0.10f, 0.92f, 0.10f, 0.12f } } },
+    { 0.0f, 0.22f, 0.24f, 0.30f,
+      { { 0.10f, 0.06f, 0.34f, 0.60f }, { 0.84f, 0.94f, 0.28f, 0.60f } } },
+    /* Pattern "blotches": one washed patch on white, on the left of the back. */
+    { 0.0f, 0.14f, 0.26f, 0.30f,
+      { { 0.34f, 0.88f, 0.30f, 0.26f }, { 0.56f, 0.92f, 0.20f, 0.20f } } },
     /* Pattern "white": white, with a trace of red at the tail and on a cheek. */
-    { 0.0f, 0.05f, 0.20f, 0.18f,
+    { 0.0f, 0.05f, 0.20f, 0.26f,
       { { 0.94f, 0.0f, 0.09f, 0.30f }, { 0.17f, 0.16f, 0.06f, 0.08f } } },
 };
 /* clang-format on */

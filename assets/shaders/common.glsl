@@ -25,8 +25,8 @@ layout(std140) uniform Frame {
     vec4 water_tint; // rgb: colour that the water adds. w: strength of the lanterns' reflections.
     vec4 sky_glow;   // x, y: red and blue of the sky's reflection, as a factor. z, w: distance of
                      // the bulbs from the middle of the tank, in x and z, in m.
-    vec4 vinyl;      // rgb: colour of the vinyl of the tank. w: level of the smaller pictures of the
-                     // caustics that is as blurred as the caustics on the floor.
+    vec4 vinyl;      // rgb: colour of the vinyl of the tank. w: width in m of a pixel of the render
+                     // target, at the middle of the picture.
 };
 
 // Fractions of light that circular shades absorb, seen from above (shade.frag.glsl). r, g: fans

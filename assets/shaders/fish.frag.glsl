@@ -44,6 +44,7 @@ void main()
     // The outline of a round body is where its surface turns away from the viewer. The outline
     // fades there over about a pixel, which smooths it.
     float cover = clamp(turned_to / fwidth(turned_to) + 0.15, 0.0, 1.0);
-    color = vec4(tint + haze.rgb * (0.10 + 1.25 * scales), 1.0) * cover;
+    // Each scale breaks up the gloss of the back.
+    color = vec4(tint + haze.rgb * (1.50 * scales * scales), 1.0) * cover;
 }
 #endif

@@ -22,8 +22,9 @@ layout(location = 12) in vec4 weights;     // Of belly, ridge, edge of the gill 
                                            // pack_weights() of fish_mesh.c writes them.
 layout(location = 13) in vec4 rides;       // zw: motion of the opening mouth, as pack_mouth() of
                                            // fish_mesh.c writes it.
-layout(location = 15) in vec3 gulp;        // Opening of the mouth, phase of the gulp or -1 for a fish
-                                           // in a bowl, row of the fish in `shapes`.
+layout(location = 15) in vec4 gulp;        // Opening of the mouth, phase of the gulp or -1 for a fish
+                                           // in a bowl, row of the fish in `shapes`, and opening of
+                                           // the gill covers.
 
 uniform sampler2D caustics;
 uniform sampler2D shapes; // For each vertex a texel with the position, in body lengths, and a texel
@@ -61,6 +62,8 @@ const float LEAST_LIT = 0.68;    // Light passes through a fin, so that a fin th
                                  // nearly as bright as the back.
 const float LEAN = 0.020;        // Distance, in body lengths, by which the tips of the fins lean to
                                  // the right, so that a dorsal fin is visible from above.
+const float LEAN_PX = 2.0;       // Least distance in pixels by which the tips lean, so that a fin that
+                                 // is seen on edge has a pixel in each row.
 #else
 const float LEAST_LIT = 0.0;
 #endif
@@ -83,8 +86,12 @@ void colour()
     // The eyes of black and of young fish are dark, as their backs are.
     pale = mix(mix(pale_back, pale_belly, belly), iris * pale_back, eye_part);
     stain = mix(mix(stain_back, stain_belly, belly), vec3(0.015), eye_part);
-    haze = vec4(vec3(0.20 * weights.y), 0.30 * weights.z); // Scales on the back reflect light upward.
-    skin = vec4(surface.xy, character.y, eye_part);
+    // The gill cover takes the pattern along, and its edge casts a stronger shadow while it is open.
+    float breath = gulp.w;
+    float cover = max(1.0 - abs(surface.x - 0.24) * 8.0, 0.0) * weights.z;
+    // Scales on the back reflect light upward.
+    haze = vec4(vec3(0.14 * weights.y), (0.20 + 0.20 * breath) * weights.z);
+    skin = vec4(surface.x - 0.022 * breath * cover, surface.y, character.y, eye_part);
 }
 #endif
 
@@ -142,7 +149,7 @@ void main()
     float idle = sin(eye.w * 5.0 + right_phase.w * 0.5 + place.x * 40.0 + p.x * 12.0);
     float trail = surface.w * (0.045 * amplitude * sin(phase - 1.3) + 0.010 * idle);
     p.y += trail * 0.5;
-    x += trail + surface.w * LEAN;
+    x += trail + surface.w * max(LEAN, LEAN_PX * vinyl.w / place.w);
 #endif
     p = vec3(x + p.x * c, p.y, z - p.x * d);
     n = vec3(n.x * c + n.z * d, n.y, n.z * c - n.x * d);
@@ -188,7 +195,8 @@ void main()
     vec3 left = water_passes(is_in_bowl ? 0.0 : depth * 1.2);
 #ifdef FIN
     float gloss = 0.0;
-    light *= 0.88 + 0.12 * smoothstep(0.0, 0.42, facing);
+    // A fin that is seen on edge lets more light through, and is as bright as the back below it.
+    light *= 1.12 - 0.12 * smoothstep(0.0, 0.42, facing);
 #else
     vec3 middle = view + LAMP_DIRECTION;
     float shine = max(dot(n, middle) * inversesqrt(dot(middle, middle)), 0.0);
@@ -197,7 +205,7 @@ void main()
     shine *= shine;
     shine *= shine;
     // Wet skin in air has a narrower highlight than skin in water, but is not brighter elsewhere.
-    float gloss = mix(0.62 * shine, 0.90 * shine * shine, wet) * (1.0 - shade);
+    float gloss = mix(0.48 * shine, 0.90 * shine * shine, wet) * (1.0 - shade);
     // A highlight of a few pixels would sparkle, so that small fish have little gloss.
     gloss *= clamp(place.w / gl_Position.w * 40.0 - 0.8, 0.2, 1.0);
 #endif

@@ -45,11 +45,6 @@
 #define BULB_X 0.50f
 #define BULB_Z -0.05f
 #define BULB_CORNER 0.16f
-/* Depth in m of a floor whose caustics are blurred most, which is the depth of the festival's tank,
- * and the level of the smaller pictures of the caustics that they then have. A texel of this level
- * is 4 mm wide on the floor. */
-#define CAUSTICS_SOFT_M 0.12f
-#define CAUSTICS_SOFT_LEVEL 2.0f
 
 static void multiply(float out[16], const float a[16], const float b[16])
 {
@@ -279,6 +274,7 @@ static void crop(struct frame *frame, struct frame_block *below, const uint32_t 
     const float first[2] = { (float)part->x / (float)part->width,
                              (float)part->y / (float)part->height };
     *below = frame->block;
+    below->vinyl[3] *= (float)size_px[1] / (float)below_px[1];
     for (uint32_t axis = 0; axis < 2; axis++) {
         for (uint32_t column = 0; column < 4; column++) {
             const float *const from = frame->block.view_projection + 4u * column;
@@ -292,26 +288,26 @@ static void crop(struct frame *frame, struct frame_block *below, const uint32_t 
     }
 }
 
-/* Sets the colours of the light: by night warm bulbs and a dark blue rest, by day an even light. */
-static void set_light(struct frame_block *block, bool is_day)
+/* Sets the colours of the light: by night warm bulbs and a dark blue rest, by day an even light.
+ * `pixel_m` is the width in m of a pixel at the middle of the picture. */
+static void set_light(struct frame_block *block, bool is_day, float pixel_m)
 {
     const float x = BULB_X * block->tank[0], z = BULB_Z * block->tank[2];
     const float far_x = block->tank[0] - x, far_z = block->tank[2] + f_abs(z);
     const float fall = (1.0f / f_sqrt(BULB_CORNER) - 1.0f) / (far_x * far_x + far_z * far_z);
-    const float blur = CAUSTICS_SOFT_LEVEL * f_min(block->tank[1] / CAUSTICS_SOFT_M, 1.0f);
     if (is_day) {
         frame_block_set(block->bulbs, 0.0f, 0.0f, 0.0f, fall);
         frame_block_set(block->evening, 1.0f, 1.0f, 1.0f, 1.0f);
         frame_block_set(block->water_tint, 0.09f, 0.42f, 0.53f, 0.3f);
         frame_block_set(block->sky_glow, 0.9f, 1.6f, x, z);
-        frame_block_set(block->vinyl, 0.53f, 0.88f, 0.97f, blur);
+        frame_block_set(block->vinyl, 0.53f, 0.88f, 0.97f, pixel_m);
         return;
     }
     frame_block_set(block->bulbs, 1.68f, 1.25f, 0.88f, fall);
     frame_block_set(block->evening, 0.24f, 0.29f, 0.38f, 0.5f);
     frame_block_set(block->water_tint, 0.05f, 0.20f, 0.27f, 1.0f);
-    frame_block_set(block->sky_glow, 4.0f, 3.0f, x, z);
-    frame_block_set(block->vinyl, 0.43f, 0.63f, 0.69f, blur);
+    frame_block_set(block->sky_glow, 4.6f, 1.4f, x, z);
+    frame_block_set(block->vinyl, 0.43f, 0.63f, 0.69f, pixel_m);
 }
 
 void frame_lamp_light(const struct frame_block *block, float x, float z, float light[3])
@@ -386,7 +382,7 @@ void frame_begin(struct frame *frame, const struct scene *scene,
                     ABSORPTION_OVER_DEPTH / size.y, layers - loops * (float)ASSET_CAUSTICS_FRAMES);
     frame_block_set(block->shadow, 2.0f / (size.x * SHADOW_MARGIN), 2.0f / (size.z * SHADOW_MARGIN),
                     SHADOW_DRIFT_X, SHADOW_DRIFT_Z);
-    set_light(block, frame->is_day);
+    set_light(block, frame->is_day, distance / frame->view.focal_px);
     struct frame_block below;
     find_shaded_part(frame, size_px);
     follow_camera(frame, below_px);

@@ -117,6 +117,18 @@ static void choose_meshes(struct fish_pass *pass, const struct scene *scene,
     }
 }
 
+/* Angular frequency of the gill covers. A goldfish at rest breathes about 85 times per minute. */
+#define BREATH_RAD_S 9.0f
+
+/* Returns the opening of the gill covers at the time `time_s`, [0, 1]. They open with the mouth, or
+ * with the calm breath of a fish that does not gulp. */
+static float gill_opening(const struct scene_fish *fish, float time_s)
+{
+    const float phase = (float)(fish->look & 255u) * (F_TAU / 256.0f);
+    const float breath = 0.5f + 0.5f * f_sin(f_wrap_angle(time_s * BREATH_RAD_S) + phase);
+    return f_max(fish->gape, breath);
+}
+
 static void fill_instance(struct fish_instance *out, const struct scene_fish *fish,
                           const struct frame_block *block, uint32_t row)
 {
@@ -129,7 +141,8 @@ static void fill_instance(struct fish_instance *out, const struct scene_fish *fi
         .up_amplitude = { axes.up.x, axes.up.y, axes.up.z, fish->tail_amplitude },
         .bend_rad = fish->bend_rad,
         .layer = layer,
-        .gulp = { fish->gape, fish->place == SCENE_IN_BOWL ? -1.0f : fish->gulp, (float)row },
+        .gulp = { fish->gape, fish->place == SCENE_IN_BOWL ? -1.0f : fish->gulp, (float)row,
+                  gill_opening(fish, block->eye[3]) },
     };
     fish_colours_compute(&out->colours, fish->maturity, textures_hue(fish->look), layer);
     float light[3];
@@ -185,7 +198,10 @@ struct instance_attribute {
     size_t offset;
 };
 
-#define INSTANCE(location, count, field) { location, count, offsetof(struct fish_instance, field) }
+#define INSTANCE(location, count, field)                                                           \
+    {                                                                                              \
+        location, count, offsetof(struct fish_instance, field)                                     \
+    }
 
 /* Sets the pointers of `count` vertex attributes, so that the next instanced draw call begins with
  * the fish `first` of the instance buffer. OpenGL ES 3.0 has no draw call with a base instance. */
@@ -207,7 +223,7 @@ static void draw_group(const struct fish_pass *pass, enum fish_group group, bool
 {
     static const struct instance_attribute common[] = {
         INSTANCE(9, 4, place),     INSTANCE(10, 4, right_phase), INSTANCE(11, 4, up_amplitude),
-        INSTANCE(14, 4, bend_rad), INSTANCE(15, 3, gulp),
+        INSTANCE(14, 4, bend_rad), INSTANCE(15, 4, gulp),
     };
     static const struct instance_attribute body[] = {
         INSTANCE(0, 3, colours.pale_back),

@@ -34,10 +34,10 @@ struct fish_instance {
      * and the first two of `colours` as one attribute. */
     float bend_rad, layer;
     struct fish_colours colours;
-    /* Opening of the mouth, phase of the gulp (a gasp for air), and row of the fish in the texture
-     * of struct fish_shapes. The phase of a fish in a bowl is -1, because the clear water of a bowl
-     * does not tint the fish. */
-    float gulp[3];
+    /* Opening of the mouth, phase of the gulp (a gasp for air), row of the fish in the texture of
+     * struct fish_shapes, and opening of the gill covers. The phase of a fish in a bowl is -1,
+     * because the clear water of a bowl does not tint the fish. */
+    float gulp[4];
 };
 
 struct fish_pass {

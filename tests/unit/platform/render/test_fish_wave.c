@@ -1,6 +1,7 @@
-/* test_fish_wave.c -- Tests that the tail of a drawn fish swings as far as the scene specifies.
+/* test_fish_wave.c -- Tests that the tail of a drawn fish swings as far as the scene specifies, and
+ * that its gill covers move and its dorsal fin is visible.
  *
- * The amplitude is measured in pictures that are drawn from above. */
+ * All are measured in pictures that are drawn from above. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -191,11 +192,109 @@ static void test_a_startle_bends_the_whole_fish_into_a_c(void **state)
                                           body. */
 }
 
+/* Removes a list of fins, which must be the last list of the meshes that is drawn. Writes the
+ * former lengths of the list to `counts`. */
+static void remove_fins(enum fish_triangles fins, GLsizei counts[SPECIES_LOD_COUNT])
+{
+    for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
+        counts[i] = display.renderer.fish.mesh[i].index_counts[fins];
+        display.renderer.fish.mesh[i].index_counts[fins] = 0;
+    }
+}
+
+static void restore_fins(enum fish_triangles fins, const GLsizei counts[SPECIES_LOD_COUNT])
+{
+    for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
+        display.renderer.fish.mesh[i].index_counts[fins] = counts[i];
+    }
+}
+
+/* Returns the number of pixels that differ between `empty` and `pixels` within `reach_px` of the
+ * middle column, in the rows from `from` to `to`. */
+static uint32_t count_changes(uint32_t reach_px, float from, float to)
+{
+    uint32_t count = 0;
+    for (uint32_t y = (uint32_t)from; y < (uint32_t)to; y++) {
+        for (uint32_t x = SIDE_PX / 2u - reach_px; x < SIDE_PX / 2u + reach_px; x++) {
+            const size_t at = 3u * ((size_t)y * SIDE_PX + x);
+            count += memcmp(empty + at, pixels + at, 3) != 0;
+        }
+    }
+    return count;
+}
+
+static void test_a_gill_cover_moves_while_the_fish_rests(void **state)
+{
+    (void)state;
+    GLsizei counts[SPECIES_LOD_COUNT];
+    const struct outline still = drawn(0.0f, 0.0f, 0.0f);
+    const float length_px = still.bottom - still.top;
+    remove_fins(FISH_FINS, counts);
+    picture(empty);
+    scene.tick += CORE_TICK_HZ / 3u;
+    picture(pixels);
+    restore_fins(FISH_FINS, counts);
+    const uint32_t at_gill =
+        count_changes(30, still.top + 0.15f * length_px, still.top + 0.32f * length_px);
+    const uint32_t behind =
+        count_changes(10, still.top + 0.42f * length_px, still.top + 0.60f * length_px);
+    print_message("a breath changes %u pixels at the gill covers, %u behind\n", at_gill, behind);
+    assert_true(at_gill > 200u && behind == 0);
+}
+
+/* Height of the camera above the fish, in metres, at which a pixel is as wide as in the middle of
+ * the festival's tank in a picture of 720 lines, 0.9 mm. */
+#define STALL_EYE_M 1.08f
+#define STALL_LENGTH_M 0.035f
+/* Part of the fish's length, from the snout, in which the dorsal fin is measured. */
+#define DORSAL_START 0.41f
+#define DORSAL_END 0.66f
+
+static void test_a_dorsal_fin_seen_from_above_has_a_pixel_in_each_row(void **state)
+{
+    (void)state;
+    GLsizei counts[SPECIES_LOD_COUNT];
+    stage(0.0f, 0.0f, 0.0f);
+    scene.view.eye_m.y = STALL_EYE_M;
+    scene.fish[0].length_m = STALL_LENGTH_M;
+    scene.fish[0].place = SCENE_IN_TANK;
+    scene.fish[0].position_m.y = -0.01f;
+    scene.fish_count = 1;
+    picture(pixels);
+    remove_fins(FISH_SMALL_FINS, counts);
+    picture(empty);
+    restore_fins(FISH_SMALL_FINS, counts);
+    const float length_px = STALL_LENGTH_M * (float)SIDE_PX / (2.0f * 0.25f * STALL_EYE_M);
+    const float top = 0.5f * ((float)SIDE_PX - length_px);
+    const uint32_t start = (uint32_t)(top + DORSAL_START * length_px);
+    const uint32_t end = (uint32_t)(top + DORSAL_END * length_px);
+    uint32_t fewest = SIDE_PX, changed = 0, body = 0, fin = 0;
+    for (uint32_t y = start; y < end; y++) {
+        const uint32_t count = count_changes(3, (float)y, (float)y + 1.0f);
+        fewest = count < fewest ? count : fewest;
+        changed += count;
+        for (uint32_t x = SIDE_PX / 2u - 3u; x < SIDE_PX / 2u + 3u; x++) {
+            const size_t at = 3u * ((size_t)y * SIDE_PX + x);
+            const bool is_changed = memcmp(empty + at, pixels + at, 3) != 0;
+            body += is_changed ? empty[at] : 0u;
+            fin += is_changed ? pixels[at] : 0u;
+        }
+    }
+    print_message(
+        "a dorsal fin from above: at least %u pixels in a row, red %u beside %u of the back\n",
+        fewest, fin, body);
+    assert_true(end > start + 5u && fewest > 0 && changed > 5u * (end - start) / 2u);
+    /* The fin has the colour of the back, and is no dark line on it. */
+    assert_true(10u * fin > 8u * body);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_full_tail_beat_spans_a_fifth_of_the_length),
         cmocka_unit_test(test_a_startle_bends_the_whole_fish_into_a_c),
+        cmocka_unit_test(test_a_gill_cover_moves_while_the_fish_rests),
+        cmocka_unit_test(test_a_dorsal_fin_seen_from_above_has_a_pixel_in_each_row),
     };
     return cmocka_run_group_tests(tests, open_display, close_display);
 }
