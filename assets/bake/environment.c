@@ -27,7 +27,7 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
 {
     /* The green of a colour is the root of red * blue, because the water keeps only these two
      * (mirror.frag.glsl). */
-    static const struct colour paper = { 1.0f, 0.30f, 0.09f }, red = { 1.0f, 0.14f, 0.02f };
+    static const struct colour paper = { 1.0f, 0.49f, 0.24f }, red = { 1.0f, 0.32f, 0.10f };
     static const float rows[3][3] = { { -0.85f, 0.50f, 7.0f },
                                       { -0.45f, 0.80f, 6.0f },
                                       /* A row gives the position z, the height and the number
@@ -43,9 +43,12 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
             const float inv = 1.0f / sqrtf(lx * lx + ly * ly + lz * lz);
             const float dx = x - lx * inv, dy = (y - ly * inv) * 0.82f, dz = z - lz * inv;
             const float d2 = dx * dx + dy * dy + dz * dz;
+            /* Small waves, which the picture of the slopes lacks, draw a reflection out toward the
+             * viewer into a thin streak. */
+            const float streak = dx * dx * 3400.0f + (dy * dy + dz * dz) * 500.0f;
             const struct colour light = noise_hash01(i, 7, row) < 0.35f ? red : paper;
-            glow(at, light, 1.0f * expf(-d2 * 1700.0f));
-            glow(at, light, 0.13f * expf(-d2 * 40.0f));
+            glow(at, light, 1.1f * expf(-streak));
+            glow(at, light, 0.10f * expf(-d2 * 40.0f));
         }
     }
 }

@@ -8,6 +8,9 @@ uniform sampler2D slopes;
 uniform sampler2D environment;
 out vec4 color;
 
+const float SHEEN = 0.10; // Brightness of the glow of the fair in the sky, which makes the surface
+                          // visible at rest where it is seen at a flat angle.
+
 void main()
 {
     vec4 slopes_here = texture(slopes, grid); // As in struct basin_pass.
@@ -25,17 +28,17 @@ void main()
     mirror.xz = from_world(mirror.xz);
     vec3 toward = mirror + vec3(from_world(world.xz), world.y).xzy * 0.55;
     vec2 night = texture(environment, toward.xz / (length(toward) + toward.y) * 0.5 + 0.5).rb;
-    // A lantern is far brighter than the maximum of a texel. Its middle is hot and nearly white, and
-    // its edge is deep orange or red.
-    float core = smoothstep(0.40, 0.92, night.r);
+    // A lantern is brighter than the maximum of a texel. Its reflection fades over a wide edge, and
+    // keeps the colour of the paper up to its middle.
+    float core = smoothstep(0.30, 1.0, night.r);
     float hot = core * core;
-    float lantern = (0.25 * core + 9.0 * hot * hot) * (0.5 + 3.0 * fresnel) * water_tint.w;
+    float lantern = (0.10 * core + 6.0 * hot * core) * (0.5 + 3.0 * fresnel) * water_tint.w;
     float glint = max(dot(mirror, vec3(0.100, 0.619, -0.779)), 0.0);
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     float lit = 1.0 - shade_above(world);      // A fan also hides the lamps from the water.
-    vec2 light = vec2(1.0, 0.45 * night.y + 0.55 * hot * hot) * (lantern * lit)
-        + night * sky_glow.xy * fresnel + vec2(2.6, 1.2) * (glint * lit);
+    vec2 light = vec2(1.0, night.y + 0.20 * hot * hot) * (lantern * lit)
+        + (night * fresnel + SHEEN * away2) * sky_glow.xy + vec2(2.6, 1.2) * (glint * lit);
     // Soft knee for both colours by the brighter one, so that a bright reflection keeps its colour.
     light /= 1.0 + max(light.x, light.y);
     color = vec4(sqrt(light), 0.5 + slopes_here.ba * (0.5 / SEEN_SLOPE_MAX));

@@ -144,7 +144,7 @@ static void test_reflections_of_lanterns_are_small_bright_and_warm(void **state)
     print_message("reflections: brightest red %u with blue %u, warm pixels %u of %u\n", hottest,
                   blue, warm, count);
     assert_true(warm > 0 && warm < count / 20u);
-    assert_true(hottest > 190u && 10u * blue < 9u * hottest);
+    assert_true(hottest > 200u && 20u * blue < 17u * hottest);
 }
 
 /* Returns the sum of one colour channel over the 5 x 5 pixels in the middle of the picture. */
@@ -157,6 +157,30 @@ static uint32_t middle(const uint8_t rgb[PIXELS_SIZE], uint32_t colour)
         }
     }
     return sum;
+}
+
+/* Returns the redness of the still water in the middle of the tank, seen from `eye_m`: its red
+ * divided by its blue. */
+static float redness_from(vec3 eye_m)
+{
+    scene.phase = PHASE_WORDLESS;
+    scene.fish_count = 0;
+    scene.poi[0].present = scene.bowl[0].present = scene.pump.present = 0;
+    memset(scene.slope, 0, sizeof scene.slope);
+    scene.view.target_m = v3(0.0f, 0.0f, 0.0f);
+    scene.view.eye_m = eye_m;
+    picture(pixels[0]);
+    return (float)middle(pixels[0], 0) / (float)middle(pixels[0], 2);
+}
+
+static void test_water_at_rest_has_a_warm_sheen_at_a_flat_angle(void **state)
+{
+    (void)state;
+    const float above = redness_from(v3(0.1f, 0.6f, 0.02f));
+    const float flat = redness_from(v3(0.1f, 0.50f, 0.42f));
+    print_message("red / blue of the water: %.2f from above, %.2f at a flat angle\n", (double)above,
+                  (double)flat);
+    assert_true(flat > 1.06f * above);
 }
 
 /* Returns the number of pixels of a dark grey in the middle third of the picture. */
@@ -616,6 +640,7 @@ int main(void)
         WITH_DISPLAY(test_a_red_fish_is_brighter_than_the_dim_water_by_night),
         WITH_DISPLAY(test_a_street_with_lamps_by_night_and_bright_by_day_is_behind_the_tank),
         WITH_DISPLAY(test_reflections_of_lanterns_are_small_bright_and_warm),
+        WITH_DISPLAY(test_water_at_rest_has_a_warm_sheen_at_a_flat_angle),
         WITH_DISPLAY(test_the_water_of_a_bowl_is_clear_and_its_fish_cast_shadows),
         WITH_DISPLAY(test_a_white_bowl_has_a_line_in_a_colour_only_among_several_players),
         WITH_DISPLAY(test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_below),
