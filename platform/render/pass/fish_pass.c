@@ -198,10 +198,7 @@ struct instance_attribute {
     size_t offset;
 };
 
-#define INSTANCE(location, count, field)                                                           \
-    {                                                                                              \
-        location, count, offsetof(struct fish_instance, field)                                     \
-    }
+#define INSTANCE(location, count, field) { location, count, offsetof(struct fish_instance, field) }
 
 /* Sets the pointers of `count` vertex attributes, so that the next instanced draw call begins with
  * the fish `first` of the instance buffer. OpenGL ES 3.0 has no draw call with a base instance. */
