@@ -10,10 +10,10 @@
  * written to OUT/NAME_LANGUAGE_WIDTHxHEIGHT.png. The program also prints the time to draw one
  * screen.
  *
- * With --compare the program draws every screen and every page of the operator's menu, writes one
- * contact sheet for each size to OUT/ui-WIDTHxHEIGHT.png, and compares the screens with the golden
- * sheets in the folder GOLDEN. The exit status is 1 if a screen differs. --keep writes the golden
- * sheets. */
+ * With --compare the program draws every screen, every page of the operator's menu, and pages of
+ * the growth lab and of the album. It writes one contact sheet for each size to
+ * OUT/ui-WIDTHxHEIGHT.png, and compares the screens with the golden sheets in the folder GOLDEN.
+ * The exit status is 1 if a screen differs. --keep writes the golden sheets. */
 #include <GLES3/gl3.h>
 #include <SDL.h>
 #include <stdio.h>
@@ -28,6 +28,7 @@
 
 #include "core/core.h"
 #include "core/game/accounting/accounts.h"
+#include "core/game/lab/lab.h"
 #include "core/game/menu/menu_pages.h"
 #include "core/game/mode_tags.h"
 #include "core/tank/preset.h"
@@ -511,6 +512,83 @@ static int shoot_menu(struct ui *ui, const struct canvas *canvas)
     return all;
 }
 
+/* Calls of specimen_pass_work() after which the textures of all specimens are complete. */
+#define SKIN_CALLS 1500
+
+/* A page of the growth lab or of the album, at a progress of the growth. */
+static const struct page {
+    const char *name;
+    const char *species; /* Species of the lab, or null for the album. */
+    uint8_t fish;        /* Number of fish of the album. */
+    uint8_t compare, path;
+    float progress;
+} lab_pages[] = {
+    { "lab", "wakin", 0, 0, 0, 0.5f },
+    { "lab compare", "hirame", 0, 1, 1, 0.3f },
+    { "album 1", NULL, 1, 0, 0, 0.6f },
+    { "album 6", NULL, 6, 0, 0, 0.9f },
+};
+
+static void open_lab_page(struct core *core, const struct page *page, bool upright)
+{
+    static struct output output;
+    if (page->species) {
+        struct lab *const lab = &core->game.lab;
+        while (strcmp(species_table[lab->species]->card.id, page->species) != 0) {
+            lab->species++;
+        }
+        lab_begin(&core->game, &core->world, &core->config, &output);
+        lab->playing = 0;
+        lab->upright = upright;
+        lab->progress = page->progress;
+        lab->compare = page->compare;
+        lab->path = page->path;
+        return;
+    }
+    for (uint32_t i = 0; i < page->fish; i++) {
+        core->world.tank.fish[i].gait = GAIT_BOWL;
+        core->world.tank.fish[i].holder = 0;
+    }
+    core->game.player[0].caught = page->fish;
+    album_note(&core->game.album, &core->world, 0, page->fish);
+    core->game.tick = 100000u;
+    core->game.phase = PHASE_ALBUM;
+    core->game.phase_tick =
+        core->game.tick -
+        (uint32_t)(page->progress * (float)album_ticks(core->game.album.fish_count));
+}
+
+/* Adds pages of the growth lab and of the album to the sheets, with complete textures. Returns 0 if
+ * a font lacks a letter. */
+static int shoot_lab(struct ui *ui, const struct canvas *canvas)
+{
+    static struct core core;
+    static struct scene scene;
+    const struct display_transform transform = display_transform_of(
+        &(struct display_settings){ .light = 1.0f }, (float)canvas->width, (float)canvas->height);
+    int all = 1;
+    for (size_t i = 0; i < sizeof lab_pages / sizeof *lab_pages; i++) {
+        for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
+            struct core_config config = { .seed = 2013, .fish_count = 40, .language = language };
+            settings_reset(&config.persistent.settings);
+            core_init(&core, &config);
+            open_lab_page(&core, &lab_pages[i], canvas->height > canvas->width);
+            core_scene(&core, &scene);
+            scene.language = language;
+            scene.upright = canvas->height > canvas->width;
+            ui->memory = (struct ui_memory){ 0 };
+            glBindFramebuffer(GL_FRAMEBUFFER, canvas->target);
+            ui_draw(ui, &specimens, &scene, &transform);
+            for (uint32_t k = 0; k < SKIN_CALLS; k++) {
+                specimen_pass_work(&specimens, false);
+            }
+            glClear(GL_DEPTH_BUFFER_BIT);
+            all &= add_to_sheets(ui, &scene, lab_pages[i].name, canvas);
+        }
+    }
+    return all;
+}
+
 /* Draws all screens of one size. Writes the sheet for eyes to the folder `out`. Compares the other
  * sheet with the golden sheet in the folder `golden`, or writes the golden sheet if `keeps` is
  * true. Both sizes of 16:9 have the same layout and therefore share a golden sheet. Returns 1 if
@@ -536,6 +614,7 @@ static int compare_size(struct ui *ui, const struct compared *size, const char *
         }
     }
     all &= shoot_menu(ui, &canvas);
+    all &= shoot_lab(ui, &canvas);
     snprintf(path, sizeof path, "%s/ui-%dx%d.png", out, size->width, size->height);
     snprintf(golden_path, sizeof golden_path, "%s/ui-%dx%d.png", golden,
              is_shared ? compared[0].width : size->width,
