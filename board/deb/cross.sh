@@ -1,5 +1,5 @@
 #!/bin/bash
-# cross.sh ARCH TARGET -- runs `make TARGET` for another processor (arm64) in a root of Debian 13.
+# cross.sh ARCH TARGET -- runs `make TARGET` for another processor (arm64 or armhf) in a root of Debian 13.
 #
 # The root contains the cross compiler and the libraries of both processors. It is made once a week in
 # BUILD/cross/ARCH/root. The tree is copied to /kingyo in the root, and its results are in /kingyo/build there. Programs
@@ -14,6 +14,7 @@ mkdir -p "${BUILD:-build}/cross"
 refuse_shared cross "${BUILD:-build}/cross"
 board/deb/emulate.sh "$arch"
 triplet=aarch64-linux-gnu
+[ "$arch" = arm64 ] || triplet=arm-linux-gnueabihf
 folder=${BUILD:-build}/cross/$arch
 mkdir -p "$folder"
 refuse_shared cross "$folder"

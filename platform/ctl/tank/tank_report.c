@@ -115,10 +115,10 @@ struct tank_figures tank_figures_of(struct tank_lab *lab)
         figures.other_share += gait > GAIT_BURST ? figures.share[gait] : 0.0;
     }
     figures.surfacing_share = figures.share[GAIT_SURFACE];
-    const uint64_t count = lab->timed_count;
+    const uint32_t count = lab->timed_count;
     qsort(lab->tick_ns, count, sizeof lab->tick_ns[0], by_size);
     figures.tick_ms_median = 1e-6 * (double)lab->tick_ns[count / 2u];
-    figures.tick_ms_p99 = 1e-6 * (double)lab->tick_ns[count * 99u / 100u];
+    figures.tick_ms_p99 = 1e-6 * (double)lab->tick_ns[(uint32_t)(count * 99ull / 100u)];
     return figures;
 }
 
