@@ -28,7 +28,7 @@ install: build $(MAN)
 uninstall:
 	@DESTDIR='$(DESTDIR)' PREFIX='$(PREFIX)' BUILD='$(BUILD)' board/install.sh uninstall
 
-## package/deb: Build the Debian packages in build/deb/; ARCH=arm64 or armhf: for a board
+## package/deb: Build the Debian packages in build/deb/; ARCH=arm64 or armhf
 ifneq ($(FOREIGN),)
 deb:
 	@$(cross) deb
