@@ -265,10 +265,18 @@ static void record_tears(struct core *core, const uint8_t live[POI_MAX])
 #define ESCAPE_DROPS 18u
 #define ESCAPE_RADIUS_M 0.008f
 
-/* Plays the sounds that fish make at the surface: gulps, and the splash of an escape, whose drops
- * the function also adds. The state of the fish alone determines the times, so no state is
- * necessary. The synthesiser drops sounds that follow each other too closely. */
-static void sound_fish(struct core *core, bool is_turned, struct output *output)
+/* Returns true in the tick in which an escaping fish splashes at the surface. */
+static bool splashes_in_escape(const struct fish *fish)
+{
+    return fish->gait == GAIT_ESCAPE && fish->escape_s >= SPLASH_AFTER_S &&
+           fish->escape_s < SPLASH_AFTER_S + CORE_TICK_S &&
+           fish->position_m.y > -SPLASH_DEPTH * fish->height_m;
+}
+
+/* Plays the sounds that fish make at the surface: gulps, and the splash of an escape. The state of
+ * the fish alone determines the times, so no state is necessary. The synthesiser drops sounds that
+ * follow each other too closely. */
+static void sound_fish(const struct core *core, bool is_turned, struct output *output)
 {
     const struct tank *tank = &core->world.tank;
     for (uint32_t i = 0; i < tank->fish_count; i++) {
@@ -276,13 +284,9 @@ static void sound_fish(struct core *core, bool is_turned, struct output *output)
         const float pan = view_pan(is_turned, tank->size_m, fish->position_m);
         if (surface_gulps(fish, core->game.tick, CORE_TICK_S)) {
             output_sound(output, SOUND_GULP, GULP_GAIN, pan);
-        } else if (fish->gait == GAIT_ESCAPE && fish->escape_s >= SPLASH_AFTER_S &&
-                   fish->escape_s < SPLASH_AFTER_S + CORE_TICK_S &&
-                   fish->position_m.y > -SPLASH_DEPTH * fish->height_m) {
+        } else if (splashes_in_escape(fish)) {
             const float strength = v3_length(fish->velocity_m_s) / SPLASH_M_S;
             output_sound(output, SOUND_ESCAPE, f_clamp(strength, 0.15f, 1.0f), pan);
-            surface_splash(&core->world.splashes, v3_flat(fish->position_m), fish->velocity_m_s,
-                           ESCAPE_RADIUS_M, ESCAPE_DROPS, core->game.tick);
         }
     }
 }
@@ -290,17 +294,26 @@ static void sound_fish(struct core *core, bool is_turned, struct output *output)
 #define FALL_DROPS 22u
 #define FALL_RADIUS_M 0.010f
 
-/* Adds the splashes of the pois and of the fish that fell from them, and scraps of torn paper. */
+/* Adds the splashes of escaping fish, of the pois and of the fish that fell from them, and scraps
+ * of torn paper. */
 static void add_splashes(struct core *core, const uint8_t live[POI_MAX],
                          const struct catch_result caught[POI_MAX])
 {
     struct splashes *const splashes = &core->world.splashes;
+    const struct tank *const tank = &core->world.tank;
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        const struct fish *const fish = &tank->fish[i];
+        if (splashes_in_escape(fish) && !surface_gulps(fish, core->game.tick, CORE_TICK_S)) {
+            surface_splash(splashes, v3_flat(fish->position_m), false, fish->velocity_m_s,
+                           ESCAPE_RADIUS_M, ESCAPE_DROPS, core->game.tick);
+        }
+    }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (live[i]) {
             surface_splash_poi(splashes, &core->world.poi[i], core->game.tick);
             surface_splash_scrap(splashes, &core->world.poi[i], core->game.tick);
-            surface_splash(splashes, caught[i].fell_m, caught[i].fell_m_s, FALL_RADIUS_M,
-                           FALL_DROPS, core->game.tick);
+            surface_splash(splashes, caught[i].fell_m, caught[i].fell_in_bowl, caught[i].fell_m_s,
+                           FALL_RADIUS_M, FALL_DROPS, core->game.tick);
         }
     }
 }

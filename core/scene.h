@@ -148,6 +148,7 @@ struct scene_bowl {
 /* A splash that throws drops of water. */
 struct scene_splash {
     vec3 position_m; /* Centre of the splash, on the surface of the water. */
+    uint8_t in_bowl; /* 1 for a splash in the water of a bowl, 0 for a splash in the tank. */
     vec3 push_m_s;   /* Velocity of the body that caused the splash. */
     float radius_m;  /* Radius of the circle from which the drops fly. */
     float age_s;     /* Seconds since the splash. */

@@ -13,6 +13,11 @@ struct basis view_basis(const struct view *view)
     return (struct basis){ .right = right, .up = v3_cross(back, right), .back = back };
 }
 
+bool view_is_turned(const struct view *view)
+{
+    return view_basis(view).right.z < -0.5f;
+}
+
 float view_half_height_tan(const struct view *view, float aspect)
 {
     CORE_ASSERT(aspect > 0.0f && view->half_height_tan > 0.0f);

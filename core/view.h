@@ -52,6 +52,9 @@ static inline float view_pan(bool is_turned, vec3 size_m, vec3 at_m)
 /* Returns the axes of the camera. The axis `back` points from the target to the eye. */
 struct basis view_basis(const struct view *view);
 
+/* Returns true if the camera shows the tank from its short side. */
+bool view_is_turned(const struct view *view);
+
 /* Returns the tangent of half the vertical field of view for a screen of aspect ratio `aspect`
  * (width over height) > 0. */
 float view_half_height_tan(const struct view *view, float aspect);

@@ -91,8 +91,8 @@ void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 t
 #define ENTRY_DROPS 28u
 #define EXIT_DROPS 12u
 
-void surface_splash(struct splashes *splashes, vec3 at_m, vec3 push_m_s, float radius_m,
-                    uint8_t drops_max, uint32_t tick)
+void surface_splash(struct splashes *splashes, vec3 at_m, bool in_bowl, vec3 push_m_s,
+                    float radius_m, uint8_t drops_max, uint32_t tick)
 {
     CORE_ASSERT(splashes->next < SCENE_SPLASH_MAX && radius_m >= 0.0f);
     const float strong =
@@ -103,6 +103,7 @@ void surface_splash(struct splashes *splashes, vec3 at_m, vec3 push_m_s, float r
     }
     splashes->latest[splashes->next] = (struct scene_splash){
         .position_m = at_m,
+        .in_bowl = in_bowl,
         .push_m_s = push_m_s,
         .radius_m = radius_m,
         .seed = tick * 0x9e3779b9u + splashes->next,
@@ -116,7 +117,7 @@ void surface_splash_poi(struct splashes *splashes, const struct poi *poi, uint32
 {
     if (poi->splash_m_s != 0.0f) {
         const vec3 at_m = v3(poi->position_m.x, 0.0f, poi->position_m.z);
-        surface_splash(splashes, at_m, poi->velocity_m_s, poi_outer_radius_m(poi),
+        surface_splash(splashes, at_m, false, poi->velocity_m_s, poi_outer_radius_m(poi),
                        poi->splash_m_s > 0.0f ? ENTRY_DROPS : EXIT_DROPS, tick);
     }
 }

@@ -32,11 +32,12 @@ struct world {
     struct splashes splashes;
 };
 
-/* Adds a splash to `splashes`. `at_m` is its place on the surface of the water. The number of drops
+/* Adds a splash to `splashes`. `at_m` is its place on the surface of the water of the tank, or of a
+ * bowl if `in_bowl` is true. The number of drops
  * increases with the speed of `push_m_s`, from none at SPLASH_FROM_M_S to `drops_max` at
  * SPLASH_FULL_M_S. */
-void surface_splash(struct splashes *splashes, vec3 at_m, vec3 push_m_s, float radius_m,
-                    uint8_t drops_max, uint32_t tick);
+void surface_splash(struct splashes *splashes, vec3 at_m, bool in_bowl, vec3 push_m_s,
+                    float radius_m, uint8_t drops_max, uint32_t tick);
 /* Adds the splash of a poi whose ring enters or leaves the water in this tick. */
 void surface_splash_poi(struct splashes *splashes, const struct poi *poi, uint32_t tick);
 /* Adds a scrap of paper at a hole of the poi's sheet if the sheet tore in this tick. Adds at most

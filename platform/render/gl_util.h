@@ -21,6 +21,8 @@
 #define GL_TEXTURE_SURE 2048u
 /* Number of layers of an array texture that is supported by every OpenGL ES 3.0 driver. */
 #define GL_LAYERS_SURE 256u
+/* Number of vertices of disc_and_handle() in common.glsl. */
+#define DISC_AND_HANDLE_VERTICES 12
 
 /* The first failure, as one line that names the object and the reason. The text is empty if nothing
  * has failed. */

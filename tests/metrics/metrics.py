@@ -90,6 +90,7 @@ FEATURE_LINES = {
     'volumes of music and effects, quiet hours, and the light in the menu': 61,
     'a hand with a sleeve that holds each poi': 404,
     'a left hand, and a hand of 400 triangles whose fingers are one surface': 99,
+    'splashes that state their water, apart from the sounds of fish': 8,
     'drops of splashes, and their rings on the water': 191,
     'weights of the colours of a fish at each vertex': 20,
     'flaps and scraps of torn paper': 103,

@@ -180,8 +180,9 @@ static bool advance_fall(const struct scoop *scoop, struct carried_fish *carried
     const enum fall_end end = catch_fall_tick(carried, scoop->stall, &bowl);
     if (end == FALL_INTO_BOWL || end == FALL_INTO_WATER) {
         struct catch_result *const result = &scoop->results[scoop->poi_index];
+        result->fell_in_bowl = end == FALL_INTO_BOWL;
         result->fell_m = v3_flat(scoop->tank->fish[carried->fish].position_m);
-        if (end == FALL_INTO_BOWL) {
+        if (result->fell_in_bowl) {
             const struct bowl *const into = &scoop->stall->bowls[bowl];
             result->fell_m.y = into->position_m.y - bowl_level_m(into);
         }

@@ -29,6 +29,7 @@ struct catch_result {
     /* Place at which a fish fell from this player's poi into the water or into a bowl in this tick,
      * and the velocity of the fish. The velocity is 0 if no fish fell. For display only. */
     vec3 fell_m, fell_m_s;
+    uint8_t fell_in_bowl; /* 1 if the fish fell into a bowl. */
 };
 
 /* Returns true if fish number `fish` lies on the poi or is falling from the poi. */

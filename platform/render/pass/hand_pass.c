@@ -325,8 +325,8 @@ static struct basis axes_along(vec3 back, vec3 up)
  * bot's place. A person stands at the side of the tank that the camera shows at the bottom. */
 static vec3 way_to_player(const struct scene *scene, const struct scene_poi *poi, vec3 back)
 {
-    const bool is_turned = view_basis(&scene->view).right.z < -0.5f;
-    const vec3 near = view_to_world(is_turned, v3(poi->left_hand ? -0.25f : 0.25f, 0.0f, 1.0f));
+    const vec3 near = view_to_world(view_is_turned(&scene->view),
+                                    v3(poi->left_hand ? -0.25f : 0.25f, 0.0f, 1.0f));
     const vec3 flat = v3_normalize_or(v3_flat(back), near);
     return v3_normalize_or(poi->handle_rad != 0.0f ? flat : v3_muladd(near, flat, 0.8f), near);
 }

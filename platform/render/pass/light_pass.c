@@ -100,7 +100,7 @@ static void disc_shadow(const struct light_pass *pass, const float pose[16], flo
     const float blur = (0.004f + f_max(height_m, 0.0f) * 0.10f) / radius_m;
     glUniformMatrix4fv(pass->disc_pose, 1, GL_FALSE, pose);
     glUniform4f(pass->disc_softness, f_clamp(blur, 0.08f, 0.9f), shape[0], shape[1], shape[2]);
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 12);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, DISC_AND_HANDLE_VERTICES);
 }
 
 void light_pass_shadows(const struct light_pass *pass, const struct scene *scene,

@@ -239,16 +239,15 @@ static bool fly(const struct scene *scene, const struct scene_splash *splash, ui
         *out = (struct quad_drop){ { at.x, at.y, at.z, size_m }, 1.0f + f_abs(rise_m_s), 1.0f };
         return true;
     }
-    const bool is_in_tank = splash->position_m.y == 0.0f;
     /* bowl_pass_cap() hides what is lower than 1 mm in a bowl, whose water is about that low. */
-    const float ring_m = is_in_tank ? 0.0006f : 0.0016f;
+    const float ring_m = splash->in_bowl ? 0.0016f : 0.0006f;
     const vec3 away = v3_sub(at, splash->position_m);
     *out = (struct quad_drop){ { at.x, ring_m, at.z, SPRAY_RING_M + SPRAY_RING_M_S * ring_s },
                                0.0f,
                                1.0f - ring_s / SPRAY_RING_S };
-    return is_in_tank ? f_abs(at.x) < 0.5f * scene->tank_size_m.x &&
-                            f_abs(at.z) < 0.5f * scene->tank_size_m.z
-                      : v3_length(away) < SPRAY_BOWL_M;
+    return splash->in_bowl ? v3_length(away) < SPRAY_BOWL_M
+                           : f_abs(at.x) < 0.5f * scene->tank_size_m.x &&
+                                 f_abs(at.z) < 0.5f * scene->tank_size_m.z;
 }
 
 uint32_t quad_spray_of(const struct scene *scene, struct quad_drop out[QUAD_SPRAY_MAX])
@@ -327,8 +326,7 @@ void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene)
     glBindVertexArray(pass->no_attributes);
     glEnable(GL_BLEND);
     /* The handle of a fan points toward the player, who may stand at the short side of the tank. */
-    const bool is_turned = view_basis(&scene->view).right.z < -0.5f;
-    const float yaw_rad = 0.18f + (is_turned ? VIEW_TURN_RAD : 0.0f);
+    const float yaw_rad = 0.18f + (view_is_turned(&scene->view) ? VIEW_TURN_RAD : 0.0f);
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         const struct scene_fan *const fan = &scene->fan[i];
         float pose[16];
@@ -347,7 +345,7 @@ void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene)
         const float through = SEEN_THROUGH * f_smoothstep(SEEN_FROM_S, SEEN_TO_S, fan->still_s);
         const float *const paint = poi_paint(fan->owner);
         glUniform4f(pass->fan_trim, paint[0], paint[1], paint[2], 1.0f - through);
-        glDrawArrays(GL_TRIANGLE_STRIP, 0, 12);
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, DISC_AND_HANDLE_VERTICES);
     }
     glDisable(GL_BLEND);
 }

@@ -73,7 +73,8 @@ static void test_a_splash_ends_and_the_newest_splashes_are_kept(void **state)
     const uint32_t last_tick = 100u + 2u * SCENE_SPLASH_MAX;
     memset(&splashes, 0, sizeof splashes);
     for (uint32_t tick = 100; tick <= last_tick; tick++) {
-        surface_splash(&splashes, v3(0.0f, 0.0f, 0.0f), v3(0.0f, -1.0f, 0.0f), 0.01f, 20, tick);
+        surface_splash(&splashes, v3(0.0f, 0.0f, 0.0f), false, v3(0.0f, -1.0f, 0.0f), 0.01f, 20,
+                       tick);
     }
     surface_splash_show(&splashes, last_tick, &shown);
     assert_int_equal(shown.splash_count, SCENE_SPLASH_MAX);
@@ -91,6 +92,7 @@ static void splash_at(float age_s, float height_m)
     shown.tank_size_m = v3(0.9f, 0.2f, 0.6f);
     shown.splash_count = 1;
     shown.splash[0] = (struct scene_splash){ .position_m = v3(0.0f, height_m, 0.0f),
+                                             .in_bowl = height_m > 0.0f,
                                              .push_m_s = v3(0.3f, -0.8f, 0.0f),
                                              .radius_m = 0.04f,
                                              .age_s = age_s,

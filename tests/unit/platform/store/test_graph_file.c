@@ -160,16 +160,21 @@ static void test_an_invalid_graph_file_is_reported_and_the_species_keeps_its_def
     assert_non_null(strstr(reported, "longer than any graph"));
 }
 
+/* Writes the first lines of a graph of the species wakin, and then `body`. */
+static void begin_graph(char *text, size_t size, const char *body)
+{
+    snprintf(text, size,
+             "kingyo-graph 1\nspecies wakin\nkeys %u\ntemplate own\nline straight\nsolved 0\n%s",
+             card->key_count, body);
+}
+
 #define ENDS "knot 0 1 0 0 0 0\nknot 1 0 0 0 0 1\n"
 
 static void test_each_graph_error_is_reported_with_its_line(void **state)
 {
     (void)state;
-    char head[160], why[GRAPH_FILE_WHY_SIZE];
+    char why[GRAPH_FILE_WHY_SIZE];
     struct lab_edit edit;
-    snprintf(head, sizeof head,
-             "kingyo-graph 1\nspecies wakin\nkeys %u\ntemplate own\nline straight\nsolved 0\n",
-             card->key_count);
     static const struct {
         const char *body, *reason;
     } mistakes[] = {
@@ -190,22 +195,35 @@ static void test_each_graph_error_is_reported_with_its_line(void **state)
     };
     for (size_t i = 0; i < sizeof mistakes / sizeof *mistakes; i++) {
         char text[600];
-        snprintf(text, sizeof text, "%s%s", head, mistakes[i].body);
+        begin_graph(text, sizeof text, mistakes[i].body);
         assert_int_equal(parse(text, &edit, why), 0);
         if (strstr(why, mistakes[i].reason) == NULL) {
             fail_msg("'%s' is reported as '%s'", mistakes[i].body, why);
         }
     }
-    char text[600];
-    snprintf(text, sizeof text, "%s" ENDS "end\n", head);
-    char *solved = strstr(text, "solved 0");
-    solved[7] = '1';
+}
+
+static void test_a_solved_graph_shows_each_key(void **state)
+{
+    (void)state;
+    char text[600], expected[160], why[GRAPH_FILE_WHY_SIZE];
+    struct lab_edit edit;
+    begin_graph(text, sizeof text, ENDS "end\n");
+    assert_int_equal(parse(text, &edit, why), 1);
+    strstr(text, "solved 0")[7] = '1';
     /* The graph is now marked as computed (solved). For such a graph it is an error that the second
      * key shape has nearly no weight at any age. */
     assert_int_equal(parse(text, &edit, why), 0);
-    snprintf(head, sizeof head, "the key '%s' is hardly seen", card->key_names[1]);
-    assert_non_null(strstr(why, head));
-    solved[7] = '0';
+    snprintf(expected, sizeof expected, "the key '%s' is hardly seen", card->key_names[1]);
+    assert_non_null(strstr(why, expected));
+}
+
+static void test_a_long_comment_is_accepted_and_a_zero_byte_is_not(void **state)
+{
+    (void)state;
+    char text[600], why[GRAPH_FILE_WHY_SIZE];
+    struct lab_edit edit;
+    begin_graph(text, sizeof text, ENDS "end\n");
     const size_t size = strlen(text);
     assert_int_equal(graph_file_parse(text, size, card, &edit, why), 1);
     /* A comment may be longer than any other line. */
@@ -215,6 +233,13 @@ static void test_each_graph_error_is_reported_with_its_line(void **state)
     text[size - 5u] = 0; /* Puts a zero byte in the place of a newline. */
     assert_int_equal(graph_file_parse(text, size, card, &edit, why), 0);
     assert_non_null(strstr(why, "8: not a text"));
+}
+
+static void test_each_error_of_the_first_lines_is_reported(void **state)
+{
+    (void)state;
+    char why[GRAPH_FILE_WHY_SIZE];
+    struct lab_edit edit;
     assert_int_equal(parse("", &edit, why), 0);
     assert_string_equal(why, "1: the file ends without 'end'");
     assert_int_equal(parse("kingyo-graph 1\n", &edit, why), 0);
@@ -372,6 +397,9 @@ int main(void)
         TEST(test_resetting_a_graph_to_the_species_default_deletes_its_file),
         TEST(test_an_invalid_graph_file_is_reported_and_the_species_keeps_its_default),
         TEST(test_each_graph_error_is_reported_with_its_line),
+        TEST(test_a_solved_graph_shows_each_key),
+        TEST(test_a_long_comment_is_accepted_and_a_zero_byte_is_not),
+        TEST(test_each_error_of_the_first_lines_is_reported),
         TEST(test_an_altered_graph_file_is_rejected_unless_valid),
         TEST(test_the_store_writes_a_graph_in_its_own_thread),
         TEST(test_a_graph_is_stored_without_a_database),
