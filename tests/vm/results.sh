@@ -16,11 +16,11 @@ passes() { # ID WORDS -- COMMAND...
 }
 
 # Prints the number of colours of a picture, and the shares of its pixels, in thousandths, that
-# have the blue of the tank and the red of fish.
+# have the blue-green of the tank and the red of fish. The banner of the stall is blue without green.
 picture() { # NAME
     convert "$shots/$1.png" -depth 8 rgb:- 2>/dev/null | od -An -v -tu1 -w3 | awk '
         { seen[$1 "," $2 "," $3] = 1 }
-        $3 > 110 && $3 > $1 + 40 { blue++ }
+        $3 > 70 && $3 > $1 + 25 && $2 > $1 + 20 { blue++ }
         $1 > 140 && $2 < 130 && $3 < 110 && $1 > $2 + 40 { red++ }
         END { for (colour in seen) colours++; print colours + 0, int(1000 * blue / (NR ? NR : 1)), int(1000 * red / (NR ? NR : 1)) }'
 }
