@@ -34,8 +34,10 @@ void main()
     float hot = core * core;
     float lantern = (0.10 * core + 6.0 * hot * core) * (0.5 + 3.0 * fresnel) * water_tint.w;
     float glint = max(dot(mirror, vec3(0.100, 0.619, -0.779)), 0.0);
+    // The bulb is small, so that a flat part of the water does not show it as a cloud.
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
+    glint *= glint; glint *= glint; glint *= glint;
     float lit = 1.0 - shade_above(world);      // A fan also hides the lamps from the water.
     vec2 light = vec2(1.0, night.y + 0.20 * hot * hot) * (lantern * lit)
         + (night * fresnel + SHEEN * away2) * sky_glow.xy + vec2(2.6, 1.2) * (glint * lit);
