@@ -5,6 +5,9 @@ in vec3 pale;
 in vec3 stain;
 in float turned_to;
 in vec4 haze;
+#ifdef GLOSS
+in float gleam;
+#endif
 #ifdef SUNK
 in float out_m;
 #endif
@@ -41,6 +44,15 @@ void main()
     // The skin is darker where it turns away from the viewer.
     float facing = clamp(turned_to * 2.4, 0.0, 1.0);
     tint *= 0.42 + 0.60 * (2.0 - facing) * facing;
+#ifdef GLOSS
+    // The lamps make a narrow line of gloss on wet skin, which the scales break.
+    float line = gleam + 0.09 * (scales - 0.62);
+    line *= line;
+    line *= line;
+    line *= line;
+    line *= line;
+    tint += line;
+#endif
     // The outline of a round body is where its surface turns away from the viewer. The outline
     // fades there over about a pixel, which smooths it.
     float cover = clamp(turned_to / fwidth(turned_to) + 0.15, 0.0, 1.0);

@@ -1,6 +1,6 @@
 // A fish of the tank. The vertex shader reads the blended shape of the fish, bends the body, adds
 // the swimming wave along the spine, and places the fish in the world. With FIN defined the shader
-// draws the fins, otherwise the body and the eyes.
+// draws the fins, otherwise the body and the eyes. With GLOSS defined, wet skin has narrow highlights.
 layout(location = 8) in vec4 surface;      // u, v, part / 255, flexibility.
 layout(location = 9) in vec4 place;        // World position. w: length in m.
 layout(location = 10) in vec4 right_phase; // The body's right axis in the world. w: phase of the
@@ -39,6 +39,9 @@ out vec3 stain;        // Colour where the pattern is red (for an eye, its pupil
                        // water tint.
 out float turned_to;   // Cosine of the angle between normal and view direction, which is 0 along
                        // the outline. Used only for bodies.
+#ifdef GLOSS
+out float gleam;       // Cosine of the angle to the mirror image of the lamps, to the power 4.
+#endif
 #ifdef SUNK
 out float out_m;       // Height above the water surface in m.
 #endif
@@ -202,12 +205,19 @@ void main()
     float shine = max(dot(n, middle) * inversesqrt(dot(middle, middle)), 0.0);
     shine *= shine;
     shine *= shine;
+#ifdef GLOSS
+    gleam = shine;
+#endif
     shine *= shine;
     shine *= shine;
     // Wet skin in air has a narrower highlight than skin in water, but is not brighter elsewhere.
     float gloss = mix(0.48 * shine, 0.90 * shine * shine, wet) * (1.0 - shade);
     // A highlight of a few pixels would sparkle, so that small fish have little gloss.
     gloss *= clamp(place.w / gl_Position.w * 40.0 - 0.8, 0.2, 1.0);
+#ifdef GLOSS
+    gleam *= 1.02 - 0.1 * shade;
+    gloss *= 0.7; // The fragment shader adds the rest as a narrow line.
+#endif
 #endif
     haze = vec4(0.0);
     colour();

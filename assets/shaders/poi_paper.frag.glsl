@@ -12,18 +12,18 @@ uniform sampler2D fibres;
 out vec4 color;
 
 #ifdef PRACTICE
-// Returns the colour of a stress between 0 (no load) and 1 (tearing load). Brightness rises over
-// the whole range, so that viewers with any colour vision can read it. The ramp is the one in
-// ui_shader.c.
+// Returns the colour of a stress between 0 (no load) and 1 (tearing load), from the colour of paper
+// over amber and red to a dark red. Brightness falls over the whole range, so that viewers with any
+// colour vision can read it. The ramp is the one in ui_tear.c.
 //
 // The ramp uses the square root of the stress, because most loads are about a tenth of the tearing
-// load. Half of the tearing load, which paper withstands for a minute, is yellow.
+// load. Half of the tearing load, which paper withstands for a minute, is red.
 vec3 heat(float stress)
 {
     float t = sqrt(stress);
-    vec3 c = mix(vec3(0.12, 0.18, 0.62), vec3(0.20, 0.66, 0.30), smoothstep(0.05, 0.36, t));
-    c = mix(c, vec3(0.98, 0.82, 0.16), smoothstep(0.36, 0.66, t));
-    return mix(c, vec3(1.0, 1.0, 0.94), smoothstep(0.70, 1.0, t));
+    vec3 c = mix(vec3(1.0, 0.95, 0.85), vec3(0.98, 0.66, 0.16), smoothstep(0.05, 0.40, t));
+    c = mix(c, vec3(0.82, 0.17, 0.09), smoothstep(0.36, 0.70, t));
+    return mix(c, vec3(0.24, 0.02, 0.08), smoothstep(0.70, 1.0, t));
 }
 #endif
 
@@ -101,8 +101,8 @@ void main()
     float gloss = film * fifth_powers(light.z + 0.10 * dot(gleam.xy, vec2(fibre - 0.5, frayed)));
     glints += 0.25 * gloss * gloss;
 #ifdef PRACTICE
-    glints *= 0.25; // The reflections are weaker while the paper shows its stress, because white is
-                    // then a stress colour.
+    glints *= 0.25; // The reflections are weaker while the paper shows its stress, because bright
+                    // paper then has little stress.
     tint += min(glints, 0.08) * above;
 #else
     tint += min(glints, 0.32) * above;

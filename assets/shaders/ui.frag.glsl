@@ -72,10 +72,10 @@ void main() {
 // The stress colours (UI_HEAT). The colours equal those in assets/shaders/poi_paper.frag.glsl.
 void main() {
     float t = clamp(at.x / s.x * 0.5 + 0.5, 0.0, 1.0);
-    vec3 c = mix(vec3(0.12, 0.18, 0.62), vec3(0.20, 0.66, 0.30),
-                 smoothstep(0.05, 0.36, t));
-    c = mix(c, vec3(0.98, 0.82, 0.16), smoothstep(0.36, 0.66, t));
-    c = mix(c, vec3(1.0, 1.0, 0.94), smoothstep(0.70, 1.0, t));
+    vec3 c = mix(vec3(1.0, 0.95, 0.85), vec3(0.98, 0.66, 0.16),
+                 smoothstep(0.05, 0.40, t));
+    c = mix(c, vec3(0.82, 0.17, 0.09), smoothstep(0.36, 0.70, t));
+    c = mix(c, vec3(0.24, 0.02, 0.08), smoothstep(0.70, 1.0, t));
     colour = framed(vec4(c, inner.a));
 }
 #elif defined(UI_WAVES)

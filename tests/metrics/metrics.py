@@ -91,6 +91,7 @@ FEATURE_LINES = {
     'a hand with a sleeve that holds each poi': 404,
     'a left hand, and a hand of 400 triangles whose fingers are one surface': 99,
     'splashes that state their water, apart from the sounds of fish': 8,
+    'narrow highlights on near fish, and ribbons beside the arm of the demonstration': 5,
     'drops of splashes, and their rings on the water': 191,
     'weights of the colours of a fish at each vertex': 20,
     'flaps and scraps of torn paper': 103,

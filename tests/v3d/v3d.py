@@ -188,7 +188,7 @@ def frame(args):
     for step, program, _, instances, vertices, quads in draws:
         name = programs.names[program]
         fragment, vertex, binning = (by_name[name].get(stage, none) for stage in STAGES)
-        kind = {'fish fin': 'fin', 'fish body': 'body', 'sunk fish body': 'body', 'snouts': 'body'}.get(name, 'other')
+        kind = {'fish fin': 'fin', 'fish body': 'body', 'near fish body': 'body', 'sunk fish body': 'body', 'snouts': 'body'}.get(name, 'other')
         is_fish = kind != 'other'
         lookups = fragment.lookups + (1 if name == 'mirror' else 0)  # Slopes are 64 bits a texel.
         shading = quads * 4 * instructions(fragment, args.fans) / lanes

@@ -20,8 +20,9 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
 {
     const struct species *const species = &species_wakin;
     pass->body = link_fish_program(status, "fish body", "");
+    pass->near = link_fish_program(status, "near fish body", "#define GLOSS\n");
     pass->sunk = link_fish_program(status, "sunk fish body", "#define SUNK\n");
-    pass->snout = link_fish_program(status, "snouts", "#define SNOUT\n");
+    pass->snout = link_fish_program(status, "snouts", "#define SNOUT\n#define GLOSS\n");
     pass->fin = link_fish_program(status, "fish fin", "#define FIN\n");
     pass->bowl_shadow_program = gl_program(status, "bowl fish shadow", "#define IN_BOWL\n",
                                            shader_shadow_fish_vert, shader_shadow_fish_frag, "");
@@ -40,6 +41,7 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
 void fish_pass_close(struct fish_pass *pass)
 {
     glDeleteProgram(pass->body);
+    glDeleteProgram(pass->near);
     glDeleteProgram(pass->sunk);
     glDeleteProgram(pass->snout);
     glDeleteProgram(pass->fin);
@@ -254,7 +256,8 @@ void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group, bool 
 {
     const bool gulps = group == FISH_GULPING_FAR || group == FISH_GULPING;
     CORE_ASSERT(gulps || !snouts);
-    glUseProgram(snouts ? pass->snout : gulps ? pass->sunk : pass->body);
+    const GLuint plain = pass->lod[group] == 0 ? pass->near : pass->body;
+    glUseProgram(snouts ? pass->snout : gulps ? pass->sunk : plain);
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, textures->patterns);
     glEnable(GL_CULL_FACE);

@@ -41,7 +41,7 @@ struct fish_instance {
 };
 
 struct fish_pass {
-    GLuint body, sunk, snout, fin; /* Shader programs. */
+    GLuint body, near, sunk, snout, fin; /* Shader programs. */
     GLuint ring_program, bowl_shadow_program, rings;
     GLuint instance_buffer;
     struct fish_mesh mesh[SPECIES_LOD_COUNT];

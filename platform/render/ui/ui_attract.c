@@ -8,6 +8,9 @@
 #include "core/game/rules.h"
 #include "platform/render/ui/ui_widgets.h"
 
+/* Share of the width of the screen, at its left, that the arm of the demonstration leaves free. */
+#define ARM_FREE 0.6f
+
 void ui_best_ribbon(const struct ui_frame *frame, float y, float size_px)
 {
     char words[TEXT_LINE_MAX];
@@ -19,6 +22,12 @@ void ui_attract(const struct ui_frame *frame)
 {
     const struct scene *const scene = frame->scene;
     const float u = frame->unit, board = ui_leaderboard_in(&scene->leaderboard);
+    /* The ribbons hide no arm of the demonstration, which comes from the right. */
+    struct ui_frame free = *frame;
+    if (board == 0.0f && scene->poi[0].present && !scene->poi[0].left_hand &&
+        frame->width > frame->height) {
+        free.width *= ARM_FREE;
+    }
     const float risen = fmaxf(1.0f - f_smoothstep(0.0f, 0.8f, scene->phase_s), board);
     if (risen < 1.0f) {
         ui_noren(frame, risen);
@@ -29,10 +38,10 @@ void ui_attract(const struct ui_frame *frame)
         ui_leaderboard(frame, 16.0f * u, frame->height - 160.0f * u);
         ui_credits(frame, 128.0f * u, 62.0f * u);
     } else {
-        ui_best_ribbon(frame, frame->height - 174.0f * u, 24.0f * u);
-        ui_credits(frame, 0.5f * frame->width, frame->height - 230.0f * u);
+        ui_best_ribbon(&free, frame->height - 174.0f * u, 24.0f * u);
+        ui_credits(&free, 0.5f * free.width, frame->height - 230.0f * u);
     }
-    ui_start_ribbon(frame, frame->height - 108.0f * u, TEXT_START);
+    ui_start_ribbon(&free, frame->height - 108.0f * u, TEXT_START);
     /* The line that explains the use of the mouse is drawn only if a poi (paper scoop) is
      * present. */
     const struct ui_text text =

@@ -54,21 +54,21 @@ static void stroke(const struct ui_frame *frame, struct spot from, struct spot s
                (const float[2]){ from.x + end.x, from.y + end.y }, width, colour);
 }
 
-/* Returns the colour of the paper's load: from dark blue (no load) over green and yellow to white
- * (a load that tears the paper). Brightness rises over the whole range, so that viewers with any
- * colour vision can read it. The ramp is the one in assets/shaders/poi_paper.frag.glsl. The square
- * root makes differences between low loads visible, because most loads are low. */
+/* Returns the colour of the paper's load: from the colour of paper (no load) over amber and red to
+ * dark red (a load that tears the paper). Brightness falls over the whole range, so that viewers
+ * with any colour vision can read it. The ramp is the one in assets/shaders/poi_paper.frag.glsl.
+ * The square root makes differences between low loads visible, because most loads are low. */
 static uint32_t load_colour(uint8_t load)
 {
     static const struct {
         float from, to;    /* Range of the load's square root in which the colour changes. */
         uint8_t colour[3]; /* Red, green and blue at the end of the range. */
     } ramp[] = {
-        { 0.05f, 0.36f, { 51, 168, 77 } },
-        { 0.36f, 0.66f, { 250, 209, 41 } },
-        { 0.70f, 1.0f, { 255, 255, 240 } },
+        { 0.05f, 0.40f, { 250, 168, 41 } },
+        { 0.36f, 0.70f, { 209, 43, 23 } },
+        { 0.70f, 1.0f, { 61, 5, 20 } },
     };
-    static const uint8_t none[3] = { 31, 46, 158 };
+    static const uint8_t none[3] = { 255, 242, 217 };
     const float share = sqrtf(f_clamp(((float)load - 17.0f) / 238.0f, 0.0f, 1.0f));
     uint32_t colour = 0;
     for (uint32_t i = 0; i < 3u; i++) {

@@ -430,7 +430,7 @@ static void test_a_red_fish_is_brighter_than_the_dim_water_by_night(void **state
     assert_true(fish[0] > water[2] + 25u * 64u && fish[0] > 2u * fish[2]);
 }
 
-static void test_stress_is_drawn_brighter_only_in_practice(void **state)
+static void test_stress_is_drawn_darker_only_in_practice(void **state)
 {
     (void)state;
     show_poi();
@@ -438,12 +438,12 @@ static void test_stress_is_drawn_brighter_only_in_practice(void **state)
     memset(scene.poi[0].stress, 128, sizeof scene.poi[0].stress);
     picture(pixels[1]);
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
-    uint32_t before = 0;
+    uint32_t before = UINT32_MAX;
     scene.poi[0].shows_stress = 1;
     for (uint32_t stress = 0; stress <= 250u; stress += 25u) {
         memset(scene.poi[0].stress, (int)stress, sizeof scene.poi[0].stress);
         picture(pixels[0]);
-        assert_true(brightness(pixels[0]) > before);
+        assert_true(brightness(pixels[0]) < before);
         before = brightness(pixels[0]);
     }
 }
@@ -645,7 +645,7 @@ int main(void)
         WITH_DISPLAY(test_a_white_bowl_has_a_line_in_a_colour_only_among_several_players),
         WITH_DISPLAY(test_a_snout_is_drawn_as_in_air_above_the_surface_and_as_in_water_below),
         WITH_DISPLAY(test_an_album_fish_on_its_catch_day_is_drawn_as_in_the_tank),
-        WITH_DISPLAY(test_stress_is_drawn_brighter_only_in_practice),
+        WITH_DISPLAY(test_stress_is_drawn_darker_only_in_practice),
         WITH_DISPLAY(test_water_on_a_poi_is_drawn_over_the_paper_only_above_the_surface),
         WITH_DISPLAY(test_drops_keep_their_phase_while_a_poi_rises),
         WITH_DISPLAY(test_players_are_distinguishable_without_colours),

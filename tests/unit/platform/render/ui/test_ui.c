@@ -657,11 +657,11 @@ static float load_luminance(uint8_t load)
 }
 
 /* A viewer who does not see red and green as different reads the load by its brightness. */
-static void test_a_higher_load_of_the_paper_is_brighter(void **state)
+static void test_a_higher_load_of_the_paper_is_darker(void **state)
 {
     (void)state;
     for (uint32_t load = 17; load + 34u <= 255; load += 34) {
-        assert_true(load_luminance((uint8_t)(load + 34u)) > load_luminance((uint8_t)load) + 1.0f);
+        assert_true(load_luminance((uint8_t)(load + 34u)) < load_luminance((uint8_t)load) - 1.0f);
     }
 }
 
@@ -840,7 +840,7 @@ int main(void)
         cmocka_unit_test(test_no_texts_overlap_on_any_screen_at_rest),
         cmocka_unit_test(test_every_cause_of_a_tear_fits_the_result),
         cmocka_unit_test(test_a_tear_adds_its_load_its_picture_and_its_words),
-        cmocka_unit_test(test_a_higher_load_of_the_paper_is_brighter),
+        cmocka_unit_test(test_a_higher_load_of_the_paper_is_darker),
         cmocka_unit_test(test_a_present_swims_into_a_bowl_on_the_result),
         cmocka_unit_test(test_the_tears_of_several_players_are_shown_in_turn),
         cmocka_unit_test(test_caught_fish_fly_to_the_counter_and_count_there),
