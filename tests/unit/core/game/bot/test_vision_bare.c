@@ -146,6 +146,9 @@ static void keep_poi(struct poi *poi, const struct poi *from)
 static void keep_bowl(struct bowl *bowl, const struct bowl *from)
 {
     KEEP(bowl, from, bowl_parts);
+    /* The hand that holds the poi shows on which side of the tank the bowl is moored. */
+    bowl->home_m.x = from->home_m.x < 0.0f ? -1.0f : 1.0f;
+    bowl->home_m.z = from->home_m.z < 0.0f ? -1.0f : 1.0f;
     bowl->water_kg = from->water_kg + from->fish_kg;
     bowl->fish_kg = 0.0f;
 }
