@@ -98,13 +98,13 @@ end_of_kiosk() { # SECONDS
 }
 
 # Prints the number of colours of the screen, or the share of pixels in thousandths that have the
-# blue of the tank or the red of a goldfish. The picture is sampled at a quarter of its size,
+# blue-green of the tank or the red of a goldfish. The picture is sampled at a quarter of its size,
 # because a fish is larger than four pixels.
 shown() { # colours|blue|red
     import -silent -window root miff:- 2>/dev/null | convert miff:- -sample '320x180!' -depth 8 rgb:- | od -An -v -tu1 -w3 |
         awk -v what="$1" '
             { seen[$1 "," $2 "," $3] = 1 }
-            $3 > 110 && $3 > $1 + 40 { blue++ }
+            $3 > 70 && $3 > $1 + 25 && $2 > $1 + 20 { blue++ }
             $1 > 140 && $2 < 120 && $3 < 100 && $1 > $2 + 50 { red++ }
             END {
                 for (colour in seen) colours++

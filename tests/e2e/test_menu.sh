@@ -56,10 +56,11 @@ shows() { # CONDITION WxH+X+Y: Waits up to 30 s for the condition.
     return 1
 }
 wood='r > 110 && r > b + 40' night='r < 40 && b < 70' green='g > r + 40' red='r > 120 && g < 70 && b < 70'
+water='g > r + 15 && g > 80 && b > 80' # The lamplit tank. The menu darkens it.
 tank=400x200+400+250          # The middle of the water. In the menu this part is below the tags.
 tags='60x14+115+254 60x14+730+254 60x14+460+486' # Wood between a tag's name and its text.
-plate=8x12+562+484            # Left of the word "Credits".
-start=12x12+318+607           # The long start ribbon. The ribbon that asks for coins is shorter.
+plate=8x12+306+484            # Left of the word "Credits".
+start=12x12+34+607            # The long start ribbon. The ribbon that asks for coins is shorter.
 store=8x20+1085+126 refused=8x20+1085+221 # The first two rows of the page of files.
 question=200x4+540+136        # Above "TEST again ends this round".
 picture() { # NAME: Saves a picture of the screen as a result of the test.
@@ -78,8 +79,8 @@ trap 'kill "$writer_pid" 2>/dev/null; leave' EXIT
 xdotool mousemove 30 700 # Moves the pointer away from all tags.
 becomes link 2 && [ "$(value_of phase)" -eq $attract ]
 ok $? 'the kiosk starts in attract mode without a credit' "$values"
-shows 'b > r + 40 && b > 120' $tank && shows "!($green)" $plate
-ok $? 'the tank is blue, and the credit plate is not lit'
+shows "$water" $tank && shows "!($green)" $plate
+ok $? 'the tank is blue-green, and the credit plate is not lit'
 
 # ---- The menu -----------------------------------------------------------------------------------
 tap F2 test && becomes phase $menu && becomes on_top 1
@@ -141,7 +142,7 @@ point_to back && tap F2 test && becomes on_upkeep 1
 ok $? 'BACK returns to the upkeep page' "$values"
 point_to back && tap F2 test && becomes on_top 1 && point_to back && tap F2 test && becomes phase $attract
 ok $? 'the last tag of the menu returns to attract mode' "$values"
-shows 'b > r + 40 && b > 120' $tank
+shows "$water" $tank
 ok $? 'the tank is bright again'
 
 # ---- Coins --------------------------------------------------------------------------------------
