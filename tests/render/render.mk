@@ -54,6 +54,21 @@ PICTURE := out/pictures
 ## picture/pictures: Draw the pictures of the README pages (needs ImageMagick)
 pictures: fish-pictures game-pictures growth-picture lab-pictures menu-picture manual-pictures moving-picture stall-picture
 
+GL_MEMORY := $(BUILD)/tests/render/gl_memory.so
+$(GL_MEMORY): tests/render/gl_memory.c
+	$(call step,LINK,$@)
+	@mkdir -p $(@D)
+	$(Q)$(CC) -std=c17 -O1 -Wall -Wextra -shared -fPIC -o $@ $<
+
+## measure/bench-gpu-memory: Count the memory of textures and buffers with a V3D's quality
+bench-gpu-memory: $(BUILD)/tests/render/shot $(GL_MEMORY) $(BUILD)/tests/v3d/gl_trace.so
+	@for scene in '1280x720 festival 1' '1280x720 championship 4' '1920x1080 festival 1'; do \
+	    set -- $$scene; echo "$$1, $$2, players: $$3"; \
+	    LD_PRELOAD="$(GL_MEMORY) $(BUILD)/tests/v3d/gl_trace.so" GL_TRACE_RENDERER=V3D $< --size $$1 --mode $$2 \
+	        --players $$3 --start --seconds 3 -o $(BUILD)/gpu_memory.png 2>$(BUILD)/gpu_memory.log || \
+	        { tail -1 $(BUILD)/gpu_memory.log; exit 1; }; done
+.PHONY: bench-gpu-memory
+
 # The choice of a mode, a championship of four players, and paper under a big fish in practice
 # mode. Bots play, so a change of the physics moves the moments. Check the pictures before you keep
 # them.
