@@ -25,7 +25,8 @@ static const char *const names[KIND_COUNT] = { "textures", "render buffers",
 static uint64_t bytes_of[KIND_COUNT][ID_MAX], now[KIND_COUNT], peak[KIND_COUNT];
 static uint32_t count_now[KIND_COUNT], count_at_peak[KIND_COUNT];
 static uint64_t peak_of_all;
-/* Id of the bound object for each target: 2D and array textures, vertex, index and uniform buffers. */
+/* Id of the bound object for each target: 2D textures and arrays of them, render buffers, and
+ * vertex, index and uniform buffers. */
 static GLuint bound_texture[2], bound_renderbuffer;
 static struct {
     GLenum target;
