@@ -49,7 +49,7 @@ guest_start() { # LIMIT_S
     qmp qmp_capabilities
 }
 
-MIDDLE_DARK=300 MIDDLE_LIGHT=360 # Measured values by night: 222 under "Hold on", 425 otherwise.
+MIDDLE_DARK=250 MIDDLE_LIGHT=290 # Measured values by night: 209 under "Paused", 337 otherwise.
 
 # Prints the brightness of the middle of a picture in thousandths. The message of a paused round
 # covers the middle.
