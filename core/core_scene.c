@@ -159,12 +159,9 @@ static void show_poi(const struct core *core, uint32_t index, struct scene_poi *
     }
     out->position_m = poi->position_m;
     out->angles = poi->angles;
-    if (poi->link == POI_SOURCE_BOT) {
-        out->handle_rad = bot_handle_rad(&core->world, index, false);
-        out->turned_handle_rad = bot_handle_rad(&core->world, index, true);
-    } else {
-        out->handle_rad = out->turned_handle_rad = 0.0f;
-    }
+    const bool is_bot = poi->link == POI_SOURCE_BOT;
+    out->handle_rad = is_bot ? bot_handle_rad(&core->world, index, false) : 0.0f;
+    out->turned_handle_rad = is_bot ? bot_handle_rad(&core->world, index, true) : 0.0f;
     const vec3 bowl_m = core->world.bowl[index].home_m;
     out->left_hand = bowl_m.x < 0.0f;
     out->turned_left_hand = view_from_world(true, bowl_m).x < 0.0f;

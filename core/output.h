@@ -147,7 +147,8 @@ struct graph_edit_record {
 /* ---- Complete output ------------------------------------------------------------------------- */
 
 struct output {
-    /* Number of sounds, <= OUTPUT_SOUND_MAX; output_sound() says which are dropped. */
+    /* Number of sounds, at most OUTPUT_SOUND_MAX. output_sound() describes which sounds are dropped
+     * if there are more. */
     uint32_t sound_count;
     struct sound_event sounds[OUTPUT_SOUND_MAX];
     struct poi_force poi[POI_MAX];

@@ -48,7 +48,7 @@ static const struct design designs[PATTERN_LAYERS] = {
     /* Pattern "saddle": red, with white around the middle of the body. */
     { 0.0f, 0.22f, 0.24f, 0.30f,
       { { 0.10f, 0.06f, 0.34f, 0.60f }, { 0.84f, 0.94f, 0.28f, 0.60f } } },
-    /* Pattern "blotches": one washed patch on white, on the left of the back. */
+    /* Pattern "blotches": white, with one washed patch of red on the left of the back. */
     { 0.0f, 0.14f, 0.26f, 0.30f,
       { { 0.34f, 0.88f, 0.30f, 0.26f }, { 0.56f, 0.92f, 0.20f, 0.20f } } },
     /* Pattern "white": white, with a trace of red at the tail and on a cheek. */

@@ -89,8 +89,8 @@ void player_rests(struct player *player, vec3 hand_m);
  * (GAME_LOST_TICKS_OTHERS) or in total (GAME_WAIT_TICKS_OTHERS). */
 void player_tick_pause(struct game *game, const struct world *world);
 
-/* Returns true if player `index` has a poi in use: its source is the bot or a connected controller
- * with valid input. */
+/* Returns true if player `index` has a poi in use. The source of such a poi is the bot or a
+ * connected controller with valid input. */
 bool player_has_poi(const struct world *world, uint32_t index);
 
 /* ---- Fouls of the players, and score of a round ---------------------------------------------- */
@@ -145,8 +145,8 @@ void score_keep(struct accounts *accounts, struct name *name, const struct game 
 
 /* ---- Hints for players ----------------------------------------------------------------------- */
 
-/* Hints for a player: one line of text at a time, about the next skill that the player should
- * learn.
+/* A hint is one line of text about the next skill that the player should learn. At most one hint
+ * is shown at a time.
  *
  * With several players the hints are for the first player who has a poi in use. The hint about a
  * lost controller is shown for any player. Each rule checks the player's actions and selects a

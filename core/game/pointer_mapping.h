@@ -43,9 +43,9 @@ bool pointer_is_inside(struct layout_box box, float room, struct layout_point at
 /* Returns the canvas point at which the world point `point_m` is drawn. */
 struct layout_point pointer_project(const struct view *view, bool upright, vec3 point_m);
 
-/* State of a player's pointer: its position, clamped to the canvas, and the height of its pose.
- * `present` is 0 if no controller is connected or its pose is invalid. Jumps of the pointer are not
- * filtered, because a jump of a pointer does no damage. */
+/* State of a player's pointer. `at` is the position, clamped to the canvas, and `height_m` is the
+ * height of the pose. `present` is 0 if no controller is connected or its pose is invalid. Jumps of
+ * the pointer are not filtered, because a jump of a pointer does no damage. */
 struct pointer_state {
     uint8_t present;
     uint8_t player;

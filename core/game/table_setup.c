@@ -90,7 +90,7 @@ static void place_all(struct control control[POI_MAX], const struct game *game, 
         init_poi(game, config, i, &world->poi[i], parking_place(world, i).position_m, seed);
         world->poi[i].link = link;
         control[i].target_pose = parking_place(world, i);
-        /* Let the next source of the poi take control anew, beginning at the rest position. */
+        /* The next source of the poi then takes control from the rest position. */
         control[i].holder = POI_SOURCE_ABSENT;
         controller_forget_path(&control[i]);
         world->bowl[i] = (struct bowl){ 0 };

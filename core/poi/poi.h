@@ -51,7 +51,7 @@ struct poi {
     struct angles before_angles;
     /* Target position of the ring in this tick, which is the position of the player's hand. */
     vec3 hand_m;
-    /* Highest recent speed of the hand; the stored value decreases with time. */
+    /* Highest recent speed of the hand in m/s. The stored value decreases with time. */
     float pace_m_s;
     /* Motions of the ring that fish blocked in the last tick: bits of enum obstacle_reaction
      * (position, rotation). */

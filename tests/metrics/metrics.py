@@ -88,7 +88,7 @@ FEATURE_LINES = {
     'a replay as a video with sound, by ffmpeg or as pictures and a WAV file': 394,
     'black goldfish, and kinds of fish by their frequency': 8,
     'volumes of music and effects, quiet hours, and the light in the menu': 61,
-    'a hand with a sleeve that holds each poi': 404,
+    'a hand with a sleeve that holds each poi': 412,
     'a left hand, and a hand of 400 triangles whose fingers are one surface': 99,
     'splashes that state their water, apart from the sounds of fish': 8,
     'narrow highlights on near fish, and ribbons beside the arm of the demonstration': 5,

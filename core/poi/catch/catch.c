@@ -87,7 +87,7 @@ static float dry_share(const struct sheet *sheet)
 
 /* Mass of carried water with which a lifted poi splashes most. */
 #define SPLASH_FULL_KG 0.02f
-/* Share of dry paper from which the paper is heard as it becomes wet. */
+/* Share of the paper that must be dry so that the sound of wetting is played. */
 #define DRY_FROM 0.1f
 
 /* Plays the sound of a tear. Most tears begin with few cells and grow within some ticks. A tear

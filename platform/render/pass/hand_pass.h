@@ -1,9 +1,9 @@
 /* hand_pass.h -- draws the hand that holds each poi, and the sleeve of a yukata in the player's
  * colour.
  *
- * The mesh is a right hand in the axes of the handle, in inner radii of the ring. Three frames move
- * the mesh: the hand follows the handle, the forearm leads to the player's shoulder, and the sleeve
- * hangs from the forearm. No hand is drawn over the paper of any poi. */
+ * Three frames move the mesh of hand_mesh.h. The hand follows the handle, the forearm leads to the
+ * player's shoulder, and the sleeve hangs from the forearm. No hand is drawn over the paper of any
+ * poi. */
 #pragma once
 
 #include "core/scene.h"
@@ -40,9 +40,6 @@ struct hand_pass {
     GLuint cloth;                       /* Texture with the pattern of the cloth. */
     struct hand_frames frames[POI_MAX]; /* Frames of this picture. */
 };
-
-/* Appends the mesh of the hand and of the sleeve to `shape`. Takes 5 ms on a desktop. */
-void hand_mesh(struct shape *shape);
 
 /* Computes the frames of the hand that holds a poi of the scene. */
 void hand_frames_of(struct hand_frames *out, const struct scene *scene,

@@ -9,6 +9,7 @@
 
 #include "core/scene_helpers.h"
 #include "platform/render/display_gl.h"
+#include "platform/render/pass/hand_mesh.h"
 #include "tests/unit/support/display_fixture.h"
 
 static struct shape shape;
