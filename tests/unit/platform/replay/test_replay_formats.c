@@ -51,15 +51,22 @@ static void play(void)
     replayer_end(&replayer);
 }
 
-static void test_a_format_7_recording_reproduces_its_hashes(void **state)
+/* Replays a recording of the format `version` to its end, under the rules of its format. All its
+ * hashes must be reproduced, in `ticks` ticks. */
+static void check_hashes(const char *path, uint32_t version, uint32_t ticks)
 {
-    (void)state;
-    begin(FORMAT_7);
-    assert_int_equal(replayer.reader.header.version, 7);
+    begin(path);
+    assert_int_equal(replayer.reader.header.version, version);
     play();
     assert_false(replayer.damaged);
     assert_false(replayer.difference.found);
-    assert_int_equal(replayer.totals.ticks, 17455);
+    assert_int_equal(replayer.totals.ticks, ticks);
+}
+
+static void test_a_format_7_recording_reproduces_its_hashes(void **state)
+{
+    (void)state;
+    check_hashes(FORMAT_7, 7, 17455);
     assert_int_equal(replayer.totals.rounds, 2);
     assert_int_equal(output.tickets, 2);
     assert_int_equal(core.game.accounts.audits.count[AUDIT_REFUNDS], 2);
@@ -68,12 +75,7 @@ static void test_a_format_7_recording_reproduces_its_hashes(void **state)
 static void test_a_format_8_recording_reproduces_its_hashes(void **state)
 {
     (void)state;
-    begin(FORMAT_8);
-    assert_int_equal(replayer.reader.header.version, 8);
-    play();
-    assert_false(replayer.damaged);
-    assert_false(replayer.difference.found);
-    assert_int_equal(replayer.totals.ticks, 13843);
+    check_hashes(FORMAT_8, 8, 13843);
     assert_int_equal(replayer.totals.rounds, 2);
     assert_int_equal(core.game.accounts.audits.count[AUDIT_REFUNDS], 1);
 }
@@ -81,12 +83,7 @@ static void test_a_format_8_recording_reproduces_its_hashes(void **state)
 static void test_a_format_9_recording_reproduces_its_hashes(void **state)
 {
     (void)state;
-    begin(FORMAT_9);
-    assert_int_equal(replayer.reader.header.version, 9);
-    play();
-    assert_false(replayer.damaged);
-    assert_false(replayer.difference.found);
-    assert_int_equal(replayer.totals.ticks, 4073);
+    check_hashes(FORMAT_9, 9, 4073);
     assert_int_equal(core.config.persistent.settings.value[SET_ROUND_S], 150);
     assert_int_equal(core.config.persistent.settings.value[SET_LEVEL], LEVEL_CHOICE_EASY);
 }
@@ -94,12 +91,7 @@ static void test_a_format_9_recording_reproduces_its_hashes(void **state)
 static void test_a_format_10_recording_reproduces_its_hashes(void **state)
 {
     (void)state;
-    begin(FORMAT_10);
-    assert_int_equal(replayer.reader.header.version, 10);
-    play();
-    assert_false(replayer.damaged);
-    assert_false(replayer.difference.found);
-    assert_int_equal(replayer.totals.ticks, 1388);
+    check_hashes(FORMAT_10, 10, 1388);
     assert_int_equal(core.config.persistent.settings.value[SET_VOLUME], 90);
     assert_int_equal(core.config.persistent.settings.value[SET_ATTRACT_SOUND], 0);
     assert_int_equal(core.config.persistent.settings.value[SET_TEXT], 1);
@@ -108,12 +100,7 @@ static void test_a_format_10_recording_reproduces_its_hashes(void **state)
 static void test_a_format_11_recording_reproduces_its_hashes(void **state)
 {
     (void)state;
-    begin(FORMAT_11);
-    assert_int_equal(replayer.reader.header.version, 11);
-    play();
-    assert_false(replayer.damaged);
-    assert_false(replayer.difference.found);
-    assert_int_equal(replayer.totals.ticks, 1344);
+    check_hashes(FORMAT_11, 11, 1344);
     assert_int_equal(core.config.persistent.settings.value[SET_MUSIC], 1);
     assert_int_equal(core.config.persistent.settings.value[SET_QUIET_FROM_MIN], 15);
     assert_int_equal(core.config.persistent.settings.value[SET_TIME], 1);
