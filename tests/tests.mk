@@ -58,8 +58,11 @@ ifneq ($(FOREIGN),)
 unit:
 	@$(cross) unit
 else
-unit: $(foreach test,$(UNIT),$(if $(filter test_$(ONLY)%,$(notdir $(test))),$(test)))
-	@tests/run.sh $(RESULTS) $^
+# ONLY=golden runs the comparison of the core with the golden hashes alone.
+UNIT_GOLDEN := $(if $(filter $(ONLY)%,golden),tests/replay/compare_core.sh)
+unit: $(foreach test,$(UNIT),$(if $(filter test_$(ONLY)%,$(notdir $(test))),$(test))) \
+      $(if $(UNIT_GOLDEN),$(BUILD)/tests/replay/state_hash)
+	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(filter-out %/state_hash,$^) $(UNIT_GOLDEN)
 endif
 
 ## test/test-e2e: Run the end-to-end tests: virtual screen, real kiosk, real pointer

@@ -37,6 +37,11 @@ $(foreach v,$(VARIANTS),$(eval $(call variant,$(v),$(subst -O, -O,$(v)))))
 SANITIZE := gcc -O1 -g -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
 $(eval $(call variant,sanitized,$(SANITIZE)))
 
+# `make unit` compares the core of its own compiler and processor with the golden hashes (compare_core.sh).
+$(BUILD)/tests/replay/state_hash: $(BUILD)/tests/replay/state_hash.o $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
+
 ## test/golden: Accept the core's present state hashes after an intended change
 golden: $(BUILD)/variants/gcc-O2/state_hash
 	$< > tests/replay/golden.txt

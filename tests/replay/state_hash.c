@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/core.h"
 #include "tests/replay/growth_hash.h"
 
