@@ -4,6 +4,9 @@
 # passed, <n> failed` on a line of its own. One program runs on each core at a time. A program
 # whose name begins with @ runs alone after the others, because it measures time or drives a whole
 # machine. Exits with 1 if any test fails.
+#
+# A program that ends with 75 lost a part of the machine that it needs, such as the virtual screen
+# (tests/e2e/lib.sh). It runs once more after a line that says so.
 set -u
 export CMOCKA_MESSAGE_OUTPUT=TAP
 limit_s=${TEST_LIMIT_S:-400}
@@ -15,6 +18,11 @@ run_one() { # RESULTS PROGRAM
     begin=$EPOCHREALTIME
     timeout --kill-after=5 "$limit_s" "$2" >"$log" 2>&1 </dev/null
     status=$?
+    if [ $status -eq 75 ]; then
+        echo "        $name runs again: $(grep -m 1 '^Bail out!' "$log")"
+        timeout --kill-after=5 "$limit_s" "$2" >"$log" 2>&1 </dev/null
+        status=$?
+    fi
     seconds=$(awk -v a="$begin" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.1f", b - a }')
     # cmocka reports a skipped test as `not ok 1 # SKIP name`, other programs as `ok 1 - name # SKIP why`.
     skipped=$(grep -ciE '^\s*(not )?ok\b.*# skip' "$log")

@@ -17,6 +17,25 @@ leave() {
 }
 trap leave EXIT
 
+# Ends the test if the virtual screen or the kiosk has ended without the test's order. The last lines
+# then give the reason, because every later check would only wait in vain. Exit status 75 means that
+# the screen ended, which is no fault of the kiosk (tests/run.sh).
+check_processes() {
+    local status
+    if [ -n "$screen_pid" ] && ! kill -0 "$screen_pid" 2>/dev/null; then
+        tail -n 10 "$work/xvfb.log" "$work/err" 2>/dev/null | sed 's/^/# /'
+        echo 'Bail out! The virtual screen has ended.'
+        exit 75
+    fi
+    if [ -n "$kiosk_pid" ] && ! kill -0 "$kiosk_pid" 2>/dev/null; then
+        wait "$kiosk_pid" 2>/dev/null
+        status=$?
+        tail -n 40 "$work/out" "$work/err" | sed 's/^/# /'
+        echo "Bail out! The kiosk has ended with status $status."
+        exit 1
+    fi
+}
+
 ok() { # STATUS TEXT [FILE that explains a failure]
     count=$((count + 1))
     if [ "$1" -eq 0 ]; then
@@ -24,6 +43,7 @@ ok() { # STATUS TEXT [FILE that explains a failure]
     else
         echo "not ok $count - $2"
         [ $# -gt 2 ] && [ -f "$3" ] && sed 's/^/# /' "$3" | head -20
+        check_processes
     fi
     return "$1"
 }

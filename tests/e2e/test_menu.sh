@@ -16,6 +16,7 @@ value_of() { # NAME: Prints the latest value of NAME from tests/vm/state_writer,
 becomes() { # NAME VALUE [SECONDS]: Waits until NAME has VALUE.
     for _ in $(seq $((${3:-60} * 5))); do
         [ "$(value_of "$1")" -eq "$2" ] && return 0
+        kill -0 "$kiosk_pid" 2>/dev/null || break
         sleep 0.2
     done
     echo "# $1 is $(value_of "$1"), not $2"
