@@ -1,6 +1,7 @@
 #!/bin/bash
 # repeat.sh BOARD -- builds the image of BOARD a second time from the same downloaded packages and the same packages of this
-# tree, and compares the two images bit for bit. Exit code 0: they are equal.
+# tree, and compares the two images bit for bit. The first image must be of the newest commit, whose time is the date of
+# all files in an image. Exit code 0: they are equal.
 # shellcheck disable=SC1090,SC2154  # image.conf sets these variables
 set -eu
 board=${1:?usage: repeat.sh BOARD}
