@@ -3,7 +3,7 @@
 #   parts    each part of each board has a driver on the card, each device tree has the names of the cabinet's lines, and
 #            config.txt names only what is on the card (parts.py)
 #   raspi3b  QEMU's Raspberry Pi 3 starts the card (raspi3b.sh)
-#   virt     QEMU's machine `virt` starts the card: a round, kill -9, a hang (image/test-image.sh)
+#   virt     QEMU's machine `virt` starts the card: a screen whose driver comes late, a round, kill -9, a hang (image/test-image.sh)
 #   poi      QEMU's machine `virt` starts the card of a poi (poi.sh); needs `make image BOARD=poi`
 # board/rpi4/README.md lists what each of them covers. Exit code 0: all passed.
 set -u
@@ -26,7 +26,7 @@ for machine in ${MACHINES:-parts raspi3b virt poi}; do
     case $machine in
         parts) parts ;;
         raspi3b) "$here/modules.sh" && "$here/raspi3b.sh" ;;
-        virt) "$here/modules.sh" && CARD=rpi4 PARTS=${PARTS-round ends} VM_SECONDS=${VM_SECONDS:-7200} "$here/../image/test-image.sh" ;;
+        virt) "$here/modules.sh" && CARD=rpi4 PARTS=${PARTS-late round ends} VM_SECONDS=${VM_SECONDS:-7200} "$here/../image/test-image.sh" ;;
         poi) "$here/modules.sh" && "$here/poi.sh" ;;
         *) echo "test-board: there is no machine '$machine'" >&2; exit 2 ;;
     esac || { echo "test-board: $machine failed" >&2; failed=1; }

@@ -7,7 +7,8 @@ kernel_image=$boot/linux image_initrd=$boot/initrd image_words=$boot/cmdline.txt
 programs=$BUILD/cross/$arch/root/kingyo/build
 busybox=$BUILD/image/$suite-$arch/kernel/usr/bin/busybox
 shaders=$modules_cache/mesa
-test_modules="$test_modules virtio_gpu virtio_rng i6300esb ext4"
+test_modules="$test_modules virtio_rng i6300esb ext4"
+late_modules=virtio_gpu # The screen's driver comes after all other parts, as on a board (kingyo-test-screen.service).
 test_words=console=ttyAMA0
 
 machine_words() {

@@ -19,6 +19,7 @@ programs=$BUILD busybox=$modules_cache/busybox kernel_image=$modules_cache/kerne
 image_words=$image/kernel_words
 width=160 height=120 # A picture of this size is drawn several times a second.
 disk=$run/disk.img initrd=$cache/initrd.zst
+late_modules='' # Drivers that the guest loads later, from /run/late.
 test_modules='virtio_pci virtio_blk squashfs 9p 9pnet_virtio configfs gpio-sim dummy_hcd libcomposite usb_f_hid usb_f_mass_storage
     usb_f_ecm usb_f_acm'
 
@@ -33,8 +34,9 @@ make_test_initrd() {
     install "$here/image/guest/rdinit" "$folder/rdinit"
     echo "$test_modules" >"$folder/test_modules"
     echo 'dummy_hcd num=2 is_high_speed=1' >"$folder/test_options"
+    [ -z "$late_modules" ] || : >"$folder/late_modules"
     cp "$modules_cache/kernel/lib/modules/$release"/modules.{builtin,builtin.modinfo,order} "$folder/lib/modules/$release/"
-    copy_modules "$modules_cache/kernel" "$release" "$folder" "$test_modules $(card_modules)"
+    copy_modules "$modules_cache/kernel" "$release" "$folder" "$test_modules $late_modules $(card_modules)"
     {
         zstd -dc "$image_initrd"
         (cd "$folder" && find . | cpio -o -H newc --quiet)
@@ -73,9 +75,9 @@ keep_shaders() { # Keeps the compiled shaders for the next machine (guest/common
 }
 
 # Copies the unchanged disk of the image. A card is larger than its image.
-fresh_disk() {
-    cp --sparse=always "$image/kingyo.img" "$disk"
-    [ -z "$CARD" ] || truncate -s 2G "$disk"
+fresh_disk() { # [FILE]
+    cp --sparse=always "$image/kingyo.img" "${1:-$disk}"
+    [ -z "$CARD" ] || truncate -s 2G "${1:-$disk}"
 }
 
 disk_words() { # plug.sh overrides this function.

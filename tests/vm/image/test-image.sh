@@ -1,7 +1,7 @@
 #!/bin/bash
 # test-image.sh -- boots the unchanged disk of `make image BOARD=vm`, drives the kiosk from outside
 # and checks the results. CARD=rpi4 boots the card of that board in QEMU's machine `virt`.
-# PARTS ("round screen hostile ends") selects the parts. Checks of other parts are printed as not
+# PARTS ("round screen hostile ends", and "late" for a card) selects the parts. Checks of other parts are printed as not
 # run. Logs and pictures are in BUILD/vm/image. Exit code 0 if every line of checks.txt passed,
 # otherwise 1.
 # shellcheck disable=SC2154,SC1091,SC2034  # the sourced files set and use these variables

@@ -5,20 +5,20 @@ await 60 is_held START && await 20 is_held COIN
 found $? lines "$(grep -c kingyo /sys/kernel/debug/gpio) lines held by name"
 await 60 is_lit LOCKOUT
 coins 2 >/dev/null
-await 30 reads credits -ge 1
+await 120 reads credits -ge 1
 found $? coin "2 pulses: $(read_count coins) coins, $(read_count credits) credit"
 press START
-await 30 reads is_round -eq 1
+await 120 reads is_round -eq 1
 found $? start "round $(read_count rounds)"
 spans=$(read_count lost_spans)
 poi_unplug
-await 30 reads paused -eq 1
+await 120 reads paused -eq 1
 found $? hotplug 'unplugged: the round pauses'
 poi_plug
 plugged=$(now_ms)
-await 30 poi_is_taken
+await 120 poi_is_taken
 taken=$(now_ms)
-await 30 reads paused -eq 0
+await 120 reads paused -eq 0
 found $? hotplug "unplugged: the round pauses; opened again $((taken - plugged)) ms after the plug"
-await 240 reads is_round -eq 0
+await 600 reads is_round -eq 0
 found $? round "over; $(read_count caught) caught, $(read_count ticks) ticks"
