@@ -99,6 +99,9 @@ $(BUILD)/tests/unit/bench/test_sim_player: $(BUILD)/tests/bench/players/sim_play
 # The visitors and the queue of a simulated day are part of `make bench-day` only.
 $(BUILD)/tests/unit/bench/test_day: $(patsubst %,$(BUILD)/tests/bench/%.o,day/visitor day/day day/report progress)
 
+# The test uses the same list of screens as the gallery.
+$(BUILD)/tests/unit/platform/render/ui/test_ui_all_screens: $(BUILD)/tests/golden/screens.o $(BUILD)/tests/render/shot_menu.o
+
 # A simulated card whose calls fail.
 $(BUILD)/tests/unit/platform/store/test_storage_card: $(BUILD)/tests/power/tape.o $(BUILD)/tests/power/fault.o
 $(BUILD)/tests/unit/platform/store/test_storage_card: TRAP := -Wl,--wrap=access

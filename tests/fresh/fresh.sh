@@ -3,7 +3,8 @@
 # For each release (default bookworm and trixie) the script makes the smallest root file system
 # that supports apt, copies the tree into it and runs both commands inside, without a screen, in
 # either order. Both commands then run again, to check that the second time is fast, and once more
-# after libassimp-dev was removed, which make test installs again. The empty root is kept as
+# after libassimp-dev was removed, which make test installs again. The screens of both releases are
+# compared with the golden pictures (make ui-gallery). The empty root is kept as
 # BUILD/fresh/RELEASE.tar and reused for a week. The script prints a table at the end. It needs
 # root, mmdebstrap and the mirror of this machine's apt. FRESH_DIR is the folder for the roots and
 # the logs, which are kept there (two to three GiB each). Without FRESH_DIR they are written to
@@ -56,7 +57,7 @@ step() { # RELEASE WHAT COMMAND...
     fi
     return $status
 }
-quote() { grep -E ' passed, [0-9]+ failed$|fish caught' "$1" | tail -1 | tr -s ' '; }
+quote() { grep -E ' passed, [0-9]+ failed$|fish caught|differ; largest' "$1" | tail -1 | tr -s ' '; }
 
 # Makes the empty root from the cache or from the mirror. The file is written under another name
 # first, so that an interrupted file is never used.
@@ -101,6 +102,7 @@ for release in "${releases[@]}"; do
     step "$release" 'make run' inside "$release" make run
     step "$release" 'make run again' inside "$release" make run
     step "$release" 'make test' inside "$release" make test
+    step "$release" 'make ui-gallery' inside "$release" make ui-gallery
     step "$release" 'make test again' inside "$release" make test ONLY=import
     step "$release" 'a package removed' inside "$release" apt-get -qq remove -y libassimp-dev
     step "$release" 'make run without it' inside "$release" make run

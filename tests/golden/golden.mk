@@ -7,13 +7,25 @@ ui-shots: $(BUILD)/tests/golden/ui_shots
 	@mkdir -p out/ui
 	@$< out/ui $(TEXT) $(BACKDROP)
 
-## picture/ui-gallery: Compare every screen with golden pictures; KEEP=1 keeps new ones
+# The screens in four sizes and both languages, compared with the golden sheets in tests/golden. The
+# scenes of tests/render/gallery.txt are compared, too. out/sheets/sheet.png shows all pictures.
+GALLERY = $(BUILD)/tests/golden/ui_shots out/sheets $(if $(KEEP),--keep,--compare) tests/golden
+GALLERY_SCENES := $(shell awk '!/^\#/ && NF { print "out/gallery/" $$1 ".png" }' tests/render/gallery.txt)
+
+## picture/gallery: Draw and compare all screens and twelve scenes; KEEP=1 keeps; BEFORE=DIR
+gallery: $(BUILD)/tests/render/shot $(BUILD)/tests/v3d/gl_trace.so $(BUILD)/tests/golden/ui_shots
+	@tests/render/gallery.sh $(BUILD) out/gallery
+	@[ -z "$(BEFORE)" ] || tests/render/gallery.py $(BEFORE) out/gallery out/gallery-crops
+	@mkdir -p out/sheets
+	@$(GALLERY) $(GALLERY_SCENES)
+
+## picture/ui-gallery: Draw and compare all screens without the scenes; KEEP=1 keeps
 ui-gallery: $(BUILD)/tests/golden/ui_shots
-	@mkdir -p out/gallery
-	@$< out/gallery $(if $(KEEP),--keep,--compare) tests/golden
+	@mkdir -p out/sheets
+	@$(GALLERY)
 
 $(BUILD)/tests/golden/ui_shots: $(BUILD)/tests/golden/ui_shots.o $(BUILD)/tests/golden/golden_sheet.o \
-    $(BUILD)/tests/render/shot_menu.o $(BUILD)/platform/panic_core.o $(BUILD)/shell.a $(BUILD)/core.a
+    $(BUILD)/tests/golden/screens.o $(BUILD)/tests/render/shot_menu.o $(BUILD)/platform/panic_core.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
@@ -32,4 +44,4 @@ lab-shots: $(BUILD)/tests/render/shot
 	    $(ALBUM_SHOT) $$fish --progress 0.9 --size 1080x1920 --en -o out/lab/album-$$fish-upright.png || exit 1; \
 	done
 
-.PHONY: ui-shots ui-gallery lab-shots
+.PHONY: ui-shots gallery ui-gallery lab-shots

@@ -9,32 +9,31 @@
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
-#define ROWS_MAX ((GOLDEN_TILES_MAX + GOLDEN_COLUMNS - 1u) / GOLDEN_COLUMNS)
-
 static int sheet_width(const struct golden_sheet *sheet)
 {
-    return sheet->tile_width * (int)GOLDEN_COLUMNS;
+    return sheet->tile_width * (int)sheet->columns;
 }
 
 static int sheet_height(const struct golden_sheet *sheet)
 {
-    return sheet->tile_height * (int)((sheet->count + GOLDEN_COLUMNS - 1u) / GOLDEN_COLUMNS);
+    return sheet->tile_height * (int)((sheet->count + sheet->columns - 1u) / sheet->columns);
 }
 
 /* Returns the offset of the pixel (x, y) of tile number `tile`. */
 static size_t pixel_at(const struct golden_sheet *sheet, uint32_t tile, int x, int y)
 {
-    const size_t left = (size_t)(tile % GOLDEN_COLUMNS) * (size_t)sheet->tile_width + (size_t)x;
-    const size_t top = (size_t)(tile / GOLDEN_COLUMNS) * (size_t)sheet->tile_height + (size_t)y;
+    const size_t left = (size_t)(tile % sheet->columns) * (size_t)sheet->tile_width + (size_t)x;
+    const size_t top = (size_t)(tile / sheet->columns) * (size_t)sheet->tile_height + (size_t)y;
     return 3u * (top * (size_t)sheet_width(sheet) + left);
 }
 
-int golden_sheet_open(struct golden_sheet *sheet, int tile_width, int tile_height)
+int golden_sheet_open(struct golden_sheet *sheet, int tile_width, int tile_height, uint32_t columns)
 {
     memset(sheet, 0, sizeof *sheet);
     sheet->tile_width = tile_width;
     sheet->tile_height = tile_height;
-    sheet->pixels = calloc(ROWS_MAX * GOLDEN_COLUMNS, (size_t)(tile_width * tile_height) * 3u);
+    sheet->columns = columns;
+    sheet->pixels = calloc(GOLDEN_TILES_MAX + columns, (size_t)(tile_width * tile_height) * 3u);
     return sheet->pixels != NULL;
 }
 
@@ -88,8 +87,38 @@ int golden_sheet_write(const struct golden_sheet *sheet, const char *path)
                           3 * sheet_width(sheet));
 }
 
-/* Returns 1 if a tile differs from the golden tile by more than the tolerance, and prints it. */
-static int tile_differs(const struct golden_sheet *sheet, uint32_t tile, const uint8_t *golden)
+int golden_sheet_write_stack(const struct golden_sheet *sheets, uint32_t count, const char *path)
+{
+    int width = 0, height = 0, top = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        width = sheet_width(&sheets[i]) > width ? sheet_width(&sheets[i]) : width;
+        height += sheet_height(&sheets[i]);
+    }
+    uint8_t *const stack = calloc((size_t)height, 3u * (size_t)width);
+    for (uint32_t i = 0; stack != NULL && i < count; i++) {
+        const size_t row = 3u * (size_t)sheet_width(&sheets[i]);
+        for (int y = 0; y < sheet_height(&sheets[i]); y++) {
+            memcpy(stack + 3u * (size_t)width * (size_t)(top + y),
+                   sheets[i].pixels + row * (size_t)y, row);
+        }
+        top += sheet_height(&sheets[i]);
+    }
+    stbi_flip_vertically_on_write(0);
+    const int written = stack != NULL && stbi_write_png(path, width, height, 3, stack, 3 * width);
+    free(stack);
+    return written;
+}
+
+/* Largest differences of all tiles of a sheet. */
+struct difference {
+    double mean;
+    int peak;
+};
+
+/* Returns 1 if a tile differs from the golden tile by more than the tolerance, and prints it.
+ * Raises `largest` to the differences of the tile. */
+static int tile_differs(const struct golden_sheet *sheet, uint32_t tile, const uint8_t *golden,
+                        struct difference *largest)
 {
     double sum = 0.0;
     int peak = 0;
@@ -102,6 +131,8 @@ static int tile_differs(const struct golden_sheet *sheet, uint32_t tile, const u
         }
     }
     const double mean = sum / (3.0 * sheet->tile_width * sheet->tile_height);
+    largest->mean = mean > largest->mean ? mean : largest->mean;
+    largest->peak = peak > largest->peak ? peak : largest->peak;
     if (mean <= GOLDEN_MEAN_MAX && peak <= GOLDEN_PEAK_MAX) {
         return 0;
     }
@@ -112,6 +143,7 @@ static int tile_differs(const struct golden_sheet *sheet, uint32_t tile, const u
 int golden_sheet_compare(const struct golden_sheet *sheet, const char *path)
 {
     int width = 0, height = 0, count = 0;
+    struct difference largest = { 0 };
     stbi_set_flip_vertically_on_load(0);
     uint8_t *const golden = stbi_load(path, &width, &height, NULL, 3);
     if (golden == NULL || width != sheet_width(sheet) || height != sheet_height(sheet)) {
@@ -121,8 +153,10 @@ int golden_sheet_compare(const struct golden_sheet *sheet, const char *path)
         return -1;
     }
     for (uint32_t tile = 0; tile < sheet->count; tile++) {
-        count += tile_differs(sheet, tile, golden);
+        count += tile_differs(sheet, tile, golden, &largest);
     }
+    printf("%s: %u pictures, %d differ; largest mean %.3f of %.1f, largest peak %d of %d\n", path,
+           sheet->count, count, largest.mean, GOLDEN_MEAN_MAX, largest.peak, GOLDEN_PEAK_MAX);
     stbi_image_free(golden);
     return count;
 }

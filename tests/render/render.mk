@@ -22,11 +22,6 @@ shot: $(BUILD)/tests/render/shot
 	@mkdir -p out
 	@$< $(ARGS)
 
-## picture/gallery: Draw twelve fixed scenes in out/gallery; BEFORE=DIR: the difference
-gallery: $(BUILD)/tests/render/shot $(BUILD)/tests/v3d/gl_trace.so
-	@tests/render/gallery.sh $(BUILD) out/gallery
-	@[ -z "$(BEFORE)" ] || tests/render/gallery.py $(BEFORE) out/gallery out/gallery-crops
-
 ## picture/strips: Draw ten frames of entry, tear, catch, pour and escape in out/strips
 strips: $(BUILD)/tests/render/shot
 	@tests/render/strips.sh $(BUILD) out/strips
@@ -154,4 +149,4 @@ manual-pictures: $(BUILD)/tests/render/shot
 	        assets/pictures/manual-$$name.jpg; \
 	    echo "assets/pictures/manual-$$name.jpg"; done
 
-.PHONY: strips stall-picture manual-pictures menu-picture lab-pictures growth-picture shot gallery film specimen pictures fish-pictures game-pictures
+.PHONY: strips stall-picture manual-pictures menu-picture lab-pictures growth-picture shot film specimen pictures fish-pictures game-pictures

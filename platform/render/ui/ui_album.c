@@ -9,7 +9,7 @@
 #include "platform/render/ui/ui_widgets.h"
 
 #define TAU 6.28318531f
-#define SEAL_SIZE 19.0f
+#define SEAL_SIZE 22.0f
 /* Length on the screen of the newly hatched fish, as a fraction of the full-grown fish's length in
  * the picture. */
 #define YOUNG_SIZE 0.40f
@@ -101,13 +101,13 @@ static void draw_album_picture(const struct ui_frame *frame, uint32_t index, str
         const float size = SEAL_SIZE * u;
         lab_age_words(frame->language, fish->caught_age_days, age, sizeof age);
         lab_length_words(fish->caught_length_m, length, sizeof length);
-        snprintf(words, sizeof words, "%s  %s  %s",
+        snprintf(words, sizeof words, "%s %s  %s",
                  ui_words(frame, fish->is_present ? TEXT_ALBUM_GIVEN : TEXT_ALBUM_MET), age,
                  length);
         const uint32_t fill = fish->is_present ? 0x17754ee8u : 0xc92c1ce8u;
         ui_ribbon_at(frame, (struct ui_ribbon){ FONT_BODY, fill, 0xfff1ddb0u, 0xfff1ddffu },
                      water.x + 0.5f * water.width, water.y + water.height - 1.15f * size, size,
-                     water.width - 10.0f * u, words);
+                     box.width - 8.0f * u, words);
     }
     if (fish->is_present) {
         draw_album_bow(frame, box);

@@ -60,7 +60,7 @@ static void tag_words(const struct ui_frame *frame, const struct tag_layout *at,
                       const char *name, const char *const lines[2])
 {
     const float u = frame->unit, x = box.x + 0.5f * box.width, bottom = box.y + box.height;
-    const float room = box.width - 20.0f * u;
+    const float room = box.width - 14.0f * u;
     struct ui_text brush = ui_brush(frame, at->name_size, at->name_size_stall, -0.06f, UI_INK);
     brush.align = 0.5f;
     brush.fit_px = room;

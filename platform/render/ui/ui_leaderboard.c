@@ -100,7 +100,7 @@ static void row_at(const struct ui_frame *frame, const struct scene_row *row, ui
                box.x + 74.0f * u, y, row->name[0] ? row->name : "---");
     const float score_x =
         ui_score(frame, ui_style(frame, FONT_STALL, 33.0f, 1.0f, UI_INK, 90.0f * u),
-                 ui_style(frame, FONT_STALL, 20.0f, 1.0f, UI_INK_SOFT, 0.0f),
+                 ui_style(frame, FONT_STALL, 22.0f, 1.0f, UI_INK_SOFT, 0.0f),
                  box.x + box.width - 18.0f * u, y, 8.0f * u, row->caught);
     ui_fish_sign(frame, score_x - 132.0f * u, y, 52.0f * u);
     if (row->is_sealed) {

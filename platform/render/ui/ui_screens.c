@@ -52,6 +52,9 @@ static void playback_ribbon(const struct ui_frame *frame)
     const bool seeks = playback == PLAYBACK_SEEKS, is_end = !seeks && playback != PLAYBACK_PLAYS;
     const float y = seeks ? 0.5f * frame->height : frame->height - 120.0f * u;
     frame->batch->opacity = 1.0f;
+    if (frame->scene->phase == PHASE_MENU) {
+        ui_veil(frame, 0x0a0c24d8u); /* The page from which the playback starts is below. */
+    }
     ui_ribbon(frame, (struct ui_ribbon){ FONT_BODY, verdicts[playback].fill, UI_GOLD, 0 }, y,
               (is_end ? 40.0f : 30.0f) * u, ui_words(frame, verdicts[playback].words));
     /* While the recording is played fast up to the beginning of the round, a bar shows the

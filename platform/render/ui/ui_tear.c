@@ -227,6 +227,6 @@ void ui_tear(const struct ui_frame *frame, uint32_t player, struct ui_box box)
     ui_text_at(frame, ui_style(frame, FONT_BODY, 27.0f, 0.5f, UI_INK, room), x, foot - 30.0f * u,
                ui_words(frame, (enum text_key)words[cause]));
     if (ui_player_count(frame->scene) > 1u) {
-        ui_player_mark(frame, picture.x + 24.0f * u, picture.y + 24.0f * u, 16.0f * u, player);
+        ui_player_mark(frame, picture.x + 24.0f * u, picture.y + 24.0f * u, 17.0f * u, player);
     }
 }

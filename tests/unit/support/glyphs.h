@@ -2,21 +2,33 @@
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_GLYPHS_H
 #define KINGYO_TESTS_UNIT_SUPPORT_GLYPHS_H
 
+#include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
 #include "assets.h"
 #include "platform/render/ui/ui_batch.h"
 
 /* Width in atlas pixels of the margin of the distance field around the ink of a letter, as in
- * assets/bake/font.c. */
+ * assets/bake/font.c. The quad of a letter omits at least half a pixel of the margin. */
 #define GLYPH_MARGIN 10.0f
+
+/* Returns the distance in pixels of the ink of a letter from the sides of its quad, which
+ * ui_batch.c trims to the part of the margin that is painted. */
+static inline float glyph_margin_px(const struct ui_vertex *v)
+{
+    const float weight = v->shape[0], outline = v->shape[1], soft = v->shape[2],
+                texel = v->shape[3];
+    const float painted = weight + outline + soft + 0.5f / texel + 0.5f;
+    return (fminf(painted, GLYPH_MARGIN - 0.5f) - weight) * texel;
+}
 
 /* Writes the sides of the quad `quad` to `box`: left, top, right, bottom. If the quad is a letter,
  * the sides are those of its ink. */
 static inline void glyph_box(const struct ui_batch *batch, uint32_t quad, float box[4])
 {
     const struct ui_vertex *v = &batch->vertices[quad * 4u];
-    const float margin = batch->kinds[quad] == UI_GLYPH ? GLYPH_MARGIN * v->shape[3] : 0.0f;
+    const float margin = batch->kinds[quad] == UI_GLYPH ? glyph_margin_px(v) : 0.0f;
     box[0] = v[0].x < v[2].x ? v[0].x : v[2].x;
     box[1] = v[0].y < v[1].y ? v[0].y : v[1].y;
     box[2] = v[3].x > v[1].x ? v[3].x : v[1].x;
@@ -28,11 +40,12 @@ static inline void glyph_box(const struct ui_batch *batch, uint32_t quad, float 
 }
 
 /* Returns the number of pixels by which the ink of the letter `quad` overflows the smallest panel
- * that was drawn below the letter and contains its centre. Returns 0 or less if the letter is
- * inside, or if there is no panel below the letter. */
+ * that was drawn below the letter and contains its centre. A panel that a later panel hides does
+ * not count. Returns 0 or less if the letter is inside, or if there is no panel below the
+ * letter. */
 static inline float glyph_overflow_px(const struct ui_batch *batch, uint32_t quad)
 {
-    float letter[4], least = 1e9f, over = 0.0f;
+    float letter[4], panel[4] = { 0 }, least = 1e9f, over = 0.0f;
     glyph_box(batch, quad, letter);
     const float x = 0.5f * (letter[0] + letter[2]), y = 0.5f * (letter[1] + letter[3]);
     for (uint32_t i = 0; i < quad; i++) {
@@ -46,9 +59,13 @@ static inline float glyph_overflow_px(const struct ui_batch *batch, uint32_t qua
             (kind == UI_PANEL || kind == UI_WASHI || kind == UI_WAVES || kind == UI_WOOD) &&
             box[3] - box[1] > 0.75f * (letter[3] - letter[1]) &&
             box[2] - box[0] > 0.75f * (letter[2] - letter[0]);
-        if (!is_panel || area > least || x < box[0] || x > box[2] || y < box[1] || y > box[3]) {
+        const bool hides =
+            box[0] <= panel[0] && box[1] <= panel[1] && box[2] >= panel[2] && box[3] >= panel[3];
+        if (!is_panel || (area > least && !hides) || x < box[0] || x > box[2] || y < box[1] ||
+            y > box[3]) {
             continue;
         }
+        memcpy(panel, box, sizeof panel);
         least = area;
         over = letter[2] - box[2];
         over = box[0] - letter[0] > over ? box[0] - letter[0] : over;

@@ -417,21 +417,20 @@ static void hang_board(uint8_t period, uint32_t rows, float shown_s, float left_
 }
 
 /* Returns true if a strip of the shop curtain contains the ink of the letter `quad`, or if the
- * letter is not on the curtain. The quad of a letter extends beyond the ink by the margin of the
- * distance field, which is 10 atlas pixels wide. */
+ * letter is not on the curtain. */
 static bool is_on_one_strip(uint32_t quad)
 {
-    const struct bounds letter = bounds_of(quad);
-    const float margin = GLYPH_MARGIN * batch.vertices[quad * 4u].shape[3];
+    float letter[4];
+    glyph_box(&batch, quad, letter);
+    const float middle = 0.5f * (letter[1] + letter[3]);
     bool is_on_curtain = false, is_on_strip = false;
     for (uint32_t i = 0; i < batch.quad_count; i++) {
         const struct bounds strip = bounds_of(i);
-        const float middle = 0.5f * (letter.top + letter.bottom);
         if (batch.kinds[i] != UI_WAVES || middle < strip.top || middle > strip.bottom) {
             continue;
         }
-        is_on_curtain |= letter.right > strip.left && letter.left < strip.right;
-        is_on_strip |= letter.left + margin >= strip.left && letter.right - margin <= strip.right;
+        is_on_curtain |= letter[2] > strip.left && letter[0] < strip.right;
+        is_on_strip |= letter[0] >= strip.left && letter[2] <= strip.right;
     }
     return !is_on_curtain || is_on_strip;
 }

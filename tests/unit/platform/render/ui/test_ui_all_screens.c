@@ -1,0 +1,232 @@
+/* test_ui_all_screens.c -- Tests the texts of every screen that the gallery draws: each screen for
+ * players, each page of the operator's menu, the growth lab and the album (tests/golden/screens.h).
+ * Each screen is laid out in both languages, in the four sizes of the gallery and with each value
+ * of SET_TEXT. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/game/menu/menu_pages.h"
+#include "platform/render/ui/ui_screens.h"
+#include "tests/golden/screens.h"
+#include "tests/unit/support/glyphs.h"
+
+#define TEXT_SIZES 3u /* Number of values of SET_TEXT. */
+
+/* Size of a screen in pixels. `far_arcmin` is the smallest angle in arc minutes of the capitals of
+ * a text for players, seen from 3 m on a screen of 32 inches (assets/ACCESSIBILITY.md). */
+static const struct size {
+    float width, height, far_arcmin;
+} sizes[] = { { 1280, 720, 9.8f }, { 1920, 1080, 9.8f }, { 720, 1280, 8.2f }, { 1024, 768, 9.0f } };
+#define SIZE_COUNT ((uint32_t)(sizeof sizes / sizeof *sizes))
+
+static struct scene scene;
+static struct ui_batch batch;
+static struct ui_memory memory;
+
+/* A screen that was laid out, with what a message needs to name the screen. */
+struct laid_out {
+    struct screen screen;
+    const struct size *size;
+    uint32_t text_size;
+};
+
+typedef void check_screen(const struct laid_out *at);
+
+/* Lays out the filled scene in every size of one orientation and with each value of SET_TEXT. */
+static void check_sizes(check_screen *check, struct screen screen, bool upright)
+{
+    const struct ui_memory before = memory;
+    for (uint32_t k = 0; k < SIZE_COUNT * TEXT_SIZES; k++) {
+        const struct laid_out at = { screen, &sizes[k % SIZE_COUNT], k / SIZE_COUNT };
+        if (upright == (at.size->height > at.size->width)) {
+            memory = before;
+            scene.text_size = (uint8_t)at.text_size;
+            ui_screens(&batch, &memory, &scene, at.size->width, at.size->height);
+            check(&at);
+        }
+    }
+}
+
+static void check_every_screen(check_screen *check)
+{
+    for (uint32_t i = 0; i < screens_count(); i++) {
+        for (uint32_t k = 0; k < 2u * LANGUAGE_COUNT; k++) {
+            const uint8_t language = (uint8_t)(k / 2u);
+            const bool upright = k % 2u != 0;
+            check_sizes(check, screens_fill(i, language, upright, &scene, &memory), upright);
+        }
+    }
+}
+
+static void fail_at(const struct laid_out *at, uint32_t quad, const char *what, float value)
+{
+    float box[4];
+    glyph_box(&batch, quad, box);
+    fail_msg("%s, language %d, %gx%g, text %u: the letter at %.0f,%.0f %s %.2f", at->screen.name,
+             scene.language, (double)at->size->width, (double)at->size->height, at->text_size,
+             (double)box[0], (double)box[1], what, (double)value);
+}
+
+/* ---- Completeness ---------------------------------------------------------------------------- */
+
+static uint32_t phases, pages, playbacks; /* Bit masks of the drawn screens. */
+
+static void note_screen(const struct laid_out *at)
+{
+    (void)at;
+    phases |= 1u << scene.phase;
+    pages |= scene.phase == PHASE_MENU ? 1u << scene.menu.page : 0u;
+    playbacks |= 1u << scene.playback;
+    assert_int_equal(batch.unbaked_count, 0);
+    assert_int_equal(batch.dropped_count, 0);
+}
+
+static void test_the_list_has_every_phase_and_page_and_no_letter_is_missing(void **state)
+{
+    (void)state;
+    check_every_screen(note_screen);
+    /* A wordless screen draws nothing. The test card has no text. */
+    const uint32_t all_phases = (1u << (PHASE_LEADERBOARD + 1u)) - 1u;
+    assert_int_equal(phases, all_phases & ~(1u << PHASE_WORDLESS));
+    assert_int_equal(pages, ((1u << MENU_PAGE_COUNT) - 1u) & ~(1u << MENU_CARD));
+    assert_int_equal(playbacks, (1u << PLAYBACK_COUNT) - 1u);
+}
+
+/* ---- Size of letters ------------------------------------------------------------------------- */
+
+#define DIAGONAL_M 0.8128f /* Diagonal of a screen of 32 inches. */
+#define CAPITAL_EM 0.71f   /* Height of a capital letter in ems. */
+#define FAR_M 3.0f         /* Distance of players. */
+#define NEAR_M 1.0f        /* Distance of a person who operates the growth lab or the menu. */
+#define NEAR_ARCMIN 16.5f  /* Smallest angle of capitals of the growth lab and the menu. */
+
+static float smallest_arcmin[SIZE_COUNT][2]; /* Of the texts for players and of the other texts. */
+
+static void check_size_of_letters(const struct laid_out *at)
+{
+    const struct size *const size = at->size;
+    const bool is_near = at->screen.kind == SCREEN_LAB || at->screen.kind == SCREEN_MENU;
+    const float metres_per_px = DIAGONAL_M / hypotf(size->width, size->height);
+    const float least = is_near ? NEAR_ARCMIN : size->far_arcmin;
+    float *const smallest = &smallest_arcmin[size - sizes][is_near];
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        /* The two lowest lines of attract mode describe the keys of a desktop computer, whose
+         * player sits at the screen. */
+        const bool is_desktop_line =
+            scene.phase == PHASE_ATTRACT && batch.vertices[i * 4u].y > 0.9f * size->height;
+        if (batch.kinds[i] != UI_GLYPH || is_desktop_line) {
+            continue;
+        }
+        const float capital_m = CAPITAL_EM * glyph_em_px(&batch, i) * metres_per_px;
+        const float arcmin = capital_m / (is_near ? NEAR_M : FAR_M) * 60.0f * 57.29578f;
+        *smallest = *smallest == 0.0f ? arcmin : fminf(*smallest, arcmin);
+        if (arcmin < least) {
+            fail_at(at, i, "has an angle in arc minutes of", arcmin);
+        }
+    }
+}
+
+static void test_every_text_is_readable_from_its_distance(void **state)
+{
+    (void)state;
+    check_every_screen(check_size_of_letters);
+    for (uint32_t i = 0; i < SIZE_COUNT; i++) {
+        print_message(
+            "%gx%g: the smallest capitals are %.1f arc minutes from 3 m, and %.1f from 1 m "
+            "in the menu and the growth lab\n",
+            (double)sizes[i].width, (double)sizes[i].height, (double)smallest_arcmin[i][0],
+            (double)smallest_arcmin[i][1]);
+    }
+}
+
+/* ---- Overlap and overflow -------------------------------------------------------------------- */
+
+/* Largest share of a letter that the box of another letter may cover. Neighbours in a word may
+ * touch. */
+#define COVERED_MAX 0.2f
+
+/* Returns true for a letter, and false for the outline that is drawn below a letter. */
+static bool is_letter(uint32_t quad)
+{
+    return batch.kinds[quad] == UI_GLYPH && batch.vertices[quad * 4u].fill[3] > 0;
+}
+
+static float covered_share(const float a[4], const float b[4])
+{
+    const float width = fminf(a[2], b[2]) - fmaxf(a[0], b[0]);
+    const float height = fminf(a[3], b[3]) - fmaxf(a[1], b[1]);
+    const float least = fminf((a[2] - a[0]) * (a[3] - a[1]), (b[2] - b[0]) * (b[3] - b[1]));
+    return width > 0.0f && height > 0.0f && least > 0.0f ? width * height / least : 0.0f;
+}
+
+/* Returns true if a panel that was drawn between the letters `below` and `above` hides the letter
+ * `below`. */
+static bool is_hidden(uint32_t below, uint32_t above, const float letter[4])
+{
+    for (uint32_t i = below + 1u; i < above; i++) {
+        float box[4];
+        glyph_box(&batch, i, box);
+        if (batch.kinds[i] == UI_PANEL && batch.vertices[i * 4u].fill[3] > 0x90u &&
+            box[0] <= letter[0] && box[1] <= letter[1] && box[2] >= letter[2] &&
+            box[3] >= letter[3]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void check_no_letter_on_another(const struct laid_out *at)
+{
+    static float boxes[UI_QUADS_MAX][4];
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        glyph_box(&batch, i, boxes[i]);
+        for (uint32_t j = 0; j < i && is_letter(i); j++) {
+            if (!is_letter(j) || j + 1u == i) {
+                continue;
+            }
+            const float covered = covered_share(boxes[i], boxes[j]);
+            if (covered > COVERED_MAX && !is_hidden(j, i, boxes[j])) {
+                fail_at(at, i, "is covered by another letter to a share of", covered);
+            }
+        }
+    }
+}
+
+static void test_no_letter_lies_on_another(void **state)
+{
+    (void)state;
+    check_every_screen(check_no_letter_on_another);
+}
+
+static void check_no_letter_overflows(const struct laid_out *at)
+{
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        const float over = batch.kinds[i] == UI_GLYPH ? glyph_overflow_px(&batch, i) : 0.0f;
+        if (over > 1.0f) {
+            fail_at(at, i, "overflows its box by px:", over);
+        }
+    }
+}
+
+static void test_no_letter_overflows_its_box(void **state)
+{
+    (void)state;
+    check_every_screen(check_no_letter_overflows);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_list_has_every_phase_and_page_and_no_letter_is_missing),
+        cmocka_unit_test(test_every_text_is_readable_from_its_distance),
+        cmocka_unit_test(test_no_letter_lies_on_another),
+        cmocka_unit_test(test_no_letter_overflows_its_box),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
