@@ -16,12 +16,13 @@
  * visible fish are complete. */
 #define SKIN_FRAMES 150u
 #define PASS_FRAMES 40u
-#define CLOSER_STEP_M 1e-4f /* Motion of the camera from frame to frame with --closer. */
+#define MOVING_STEP_M 1e-4f /* Motion of the camera from frame to frame. */
 
 static struct scene scene;
 static struct display_gl display;
 static uint8_t pixels[PIXELS_MAX * 3u];
 static float step_m; /* Motion of the camera from frame to frame. */
+static bool is_live; /* True if no picture of the rim and the counter is kept. */
 
 static double clock_ms(clockid_t clock)
 {
@@ -77,6 +78,9 @@ static void write_step(void *context, enum render_step step)
 static void present(const struct hal_display *device)
 {
     scene.view.eye_m.x += step_m;
+    if (is_live) {
+        display.renderer.basin.kept = (struct deck_view){ 0 };
+    }
     device->ops->present(device->self, &scene);
 }
 
@@ -140,6 +144,7 @@ static int draw_later_pictures(const struct hal_display *device, struct shot_opt
     for (uint32_t i = 1; i < options.frames && status == 0; i++) {
         options.seconds += options.every_s;
         shot_scene(&options, &scene);
+        shot_move_camera(&options, &scene);
         device->ops->present(device->self, &scene);
         snprintf(path, sizeof path, "%s%u.png", options.out, i);
         status = keep_picture(device, path);
@@ -162,7 +167,6 @@ int main(int argc, char **argv)
         return 2;
     }
     shot_scene(&options, &scene);
-    step_m = options.closer ? CLOSER_STEP_M : 0.0f;
     const double before = now_ms();
     if (device.ops->open(device.self) != HAL_OK) {
         fprintf(stderr, "%s\n", device.ops->describe(device.self));
@@ -177,9 +181,16 @@ int main(int argc, char **argv)
     display.renderer.on_step = options.steps ? write_step : NULL;
     /* With --steps, two frames are drawn before the picture, because the first frame also draws
      * what later frames keep. */
-    const uint32_t frames = options.lab || options.album > 0 ? SKIN_FRAMES : 1u + options.steps;
+    const bool is_moving = options.closer || options.drift;
+    const uint32_t frames =
+        options.lab || options.album > 0 ? SKIN_FRAMES : 1u + (options.steps || is_moving);
     for (uint32_t i = 0; i < frames; i++) {
         present(&device);
+        if (i == 0) {
+            shot_move_camera(&options, &scene);
+            step_m = is_moving ? MOVING_STEP_M : 0.0f;
+            is_live = options.live;
+        }
     }
     if (options.passes) {
         time_passes(&device);

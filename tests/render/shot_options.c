@@ -74,6 +74,8 @@ static const struct plain_option {
     { "--stress", OPTION_FLAG, offsetof(struct shot_options, stress), 0.0f },
     { "--careless", OPTION_FLAG, offsetof(struct shot_options, careless), 0.0f },
     { "--closer", OPTION_FLAG, offsetof(struct shot_options, closer), 0.0f },
+    { "--drift", OPTION_FLAG, offsetof(struct shot_options, drift), 0.0f },
+    { "--live", OPTION_FLAG, offsetof(struct shot_options, live), 0.0f },
     { "--plain", OPTION_FLAG, offsetof(struct shot_options, plain), 0.0f },
     { "--white", OPTION_FLAG, offsetof(struct shot_options, white), 0.0f },
     { "--day", OPTION_FLAG, offsetof(struct shot_options, day), 0.0f },

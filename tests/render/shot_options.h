@@ -20,8 +20,10 @@ struct shot_options {
     /* Point of the water surface at which the camera looks, and distance of the camera from this
      * point. If the distance is 0, the normal camera is used. */
     float close_x_m, close_z_m, close_m;
-    /* 1 if the camera is where it is in a round with one player, and moves from frame to frame. */
-    uint8_t closer;
+    /* Place of the camera after the first frame. `closer`: where it is in a round with one player.
+     * `drift`: as far away as in attract mode. The camera then moves from frame to frame. With
+     * `live`, the rim and the counter are drawn without a kept picture while the camera moves. */
+    uint8_t closer, drift, live;
     uint32_t width, height, samples, fish, seed;
     uint8_t start, english, passes, paper, preset;
     /* With `steps`, shot writes the name of each render step on standard error after the step.

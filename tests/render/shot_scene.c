@@ -163,6 +163,18 @@ static void come_closer(const struct shot_options *options, struct scene *scene)
     scene->view = round.view;
 }
 
+void shot_move_camera(const struct shot_options *options, struct scene *scene)
+{
+    if (options->closer) {
+        come_closer(options, scene);
+    }
+    if (options->drift) {
+        /* The largest motion of output_camera_step(). */
+        scene->view.eye_m = v3_add(
+            scene->view.eye_m, view_to_world(shot_is_upright(options), v3(0.045f, 0.020f, 0.030f)));
+    }
+}
+
 /* Fills the paper of a poi for a picture. The paper is half wet and has two holes, with stress
  * around the holes. */
 static void fill_sheet(struct scene_poi *poi)
@@ -219,9 +231,6 @@ void shot_scene(const struct shot_options *options, struct scene *scene)
     if (options->plain) {
         scene->phase = PHASE_WORDLESS;
         scene->poi[0].present = scene->bowl[0].present = 0;
-    }
-    if (options->closer) {
-        come_closer(options, scene);
     }
     if (options->close_m > 0.0f) {
         come_close(options, scene);

@@ -10,4 +10,7 @@
  * exit status 2 if the options cannot be met. */
 void shot_scene(const struct shot_options *options, struct scene *scene);
 
+/* Moves the camera of `scene` from its place of rest to its place after the first frame. */
+void shot_move_camera(const struct shot_options *options, struct scene *scene);
+
 #endif

@@ -1,6 +1,7 @@
 #!/bin/bash
 # bench.sh FOLDER [SCENE...] -- prints what the scenes of scenes.txt cost on V3D, and compares the programs with
-# programs.tsv. Exits with 1 if a program spills or has more instructions than the table allows.
+# programs.tsv. Exits with 1 if a scene exceeds its milliseconds, or if a program spills or has more instructions than
+# the table allows.
 # FOLDER is that of build.sh. FOLDER/programs.tsv is the new table. Copy it over tests/v3d/programs.tsv after a change
 # of a shader whose cost is accepted. FOLDER/logs keeps the logs, and the passes of each scene as SCENE-pi4.txt.
 set -euo pipefail
@@ -44,7 +45,7 @@ v3d pi5 V3D_DEBUG=precompile,shaderdb,fs,vs V3D_SHIM_71=1 -- --mode festival --p
 sed -i "1i # Instructions, threads, spills and texture lookups of each program on V3D (README.md). Written by make bench-v3d." "$folder/programs.tsv"
 grep -v "^#" "$folder/programs.tsv" | column -t -s "$(printf "\t")"
 "$here/v3d.py" check "$here/programs.tsv" "$folder/programs.tsv" || status=1
-while read -r name size fans pois options; do
+while read -r name size fans pois pi4_ms pi5_ms options; do
     [[ $name == \#* || -z $name ]] && continue
     [[ $# -eq 0 || " $* " == *" $name "* ]] || continue
     # shellcheck disable=SC2086
@@ -54,8 +55,10 @@ while read -r name size fans pois options; do
             -- --size "$size" $options
     }
     for gpu in pi4 pi5; do
+        limit_ms=$pi4_ms
+        [ $gpu = pi4 ] || limit_ms=$pi5_ms
         "$here/v3d.py" frame "$logs/$gpu.log" "$logs/$name-jobs.log" "$logs/$name-quads.log" --gpu $gpu --fans "$fans" \
-            --pois "$pois" >"$logs/$name-$gpu.txt" || status=1
+            --pois "$pois" --limit "${limit_ms/#-/inf}" >"$logs/$name-$gpu.txt" || status=1
         printf '\n%s on %s: passes and jobs\n' "$name" "$gpu"
         cat "$logs/$name-$gpu.txt"
         printf '%-18s %s\n' "$name" "$(tail -1 "$logs/$name-$gpu.txt")" >>"$logs/frames.txt"

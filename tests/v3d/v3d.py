@@ -3,9 +3,10 @@
 
   v3d.py programs PI4.LOG PI5.LOG     prints the table of all programs for programs.tsv
   v3d.py check PROGRAMS.TSV NEW.TSV   fails if a program of the new table spills or has more instructions than before
-  v3d.py frame PI4.LOG|PI5.LOG JOBS.LOG QUADS.LOG --gpu pi4|pi5 [--fans N] [--pois N]
-                                      prints the milliseconds of the last frame in QUADS.LOG, and fails if the early
-                                      depth test is off in a job of the frame that has a depth buffer
+  v3d.py frame PI4.LOG|PI5.LOG JOBS.LOG QUADS.LOG --gpu pi4|pi5 [--fans N] [--pois N] [--limit MS]
+                                      prints the milliseconds of the last frame in QUADS.LOG, and fails if they exceed
+                                      the limit, or if the early depth test is off in a job of the frame that has a
+                                      depth buffer
 
 A log is the standard error of tests/render/shot --steps with gl_trace.so, whose first comment explains its lines.
 PI4.LOG and PI5.LOG come from the driver v3d with V3D_DEBUG=precompile,shaderdb,fs,vs, and contain the compiled
@@ -215,7 +216,10 @@ def frame(args):
         print(f'  job {size:9} {job_ms(job, bandwidth):5.2f} ms, {job.draws:3} draws, {early_z}')
         if early_z == 'early Z off':
             faults.append(f'{args.jobs}: early Z is off in the job of {size} pixels')
-    print(f'{args.gpu}: {total:5.1f} ms a frame ({raw:.1f} ms of shading, {1e3 / total:.0f} a second, {len(draws)} draws)')
+    if round(total, 1) > args.limit:
+        faults.append(f'{args.quads}: {total:.1f} ms a frame on {args.gpu}, at most {args.limit:g} ms are allowed')
+    limit = f' of {args.limit:g}' if args.limit < float('inf') else ''
+    print(f'{args.gpu}: {total:5.1f}{limit} ms a frame ({raw:.1f} ms of shading, {1e3 / total:.0f} a second, {len(draws)} draws)')
     fail_with(faults)
 
 
@@ -240,6 +244,7 @@ def main():
     part.add_argument('--gpu', choices=GPUS, default='pi4')
     part.add_argument('--fans', type=int, default=0)
     part.add_argument('--pois', type=int, default=1)
+    part.add_argument('--limit', type=float, default=float('inf'))
     args = parser.parse_args()
     if args.command == 'programs':
         print('\t'.join(COLUMNS))
