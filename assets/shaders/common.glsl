@@ -17,7 +17,7 @@ layout(std140) uniform Frame {
     vec4 bend;       // Columns of a matrix: shift of the refracted picture, as a fraction of the
                      // picture, per unit of surface slope in x and in z.
     vec4 shade_map;  // xy: factors from world x, z to the shade map's -0.5 .. 0.5. zw: world x, z of
-                     // the camera's right.
+                     // the player's right.
     vec4 crop;       // Factors (xy) from a pixel of the screen, and offsets (zw), to a place in the
                      // pictures of the objects below the water.
     vec4 bulbs;      // rgb: light right below a bulb. w: decrease of this light, 1 / m^2.

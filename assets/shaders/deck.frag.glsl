@@ -1,9 +1,12 @@
 // The rim and the counter. The shader is compiled in three variants, so that each variant computes
 // only its own part: COUNTER for the counter, RIM for the top of the rim, and neither for the sides
-// of the rim. The picture is kept while the camera rests. KEPT draws the kept picture, and SHADED
-// adds the shades of the fans.
+// of the rim. The picture of a camera at rest is kept. KEPT draws the kept picture as another or the
+// same camera sees it, and SHADED adds the shades of the fans.
 in vec3 world; // Position in the player's axes. KEPT: position in the world.
 in vec3 face;
+#ifdef KEPT
+in vec3 place_in_kept; // u and v in the kept picture, both multiplied by w, and w.
+#endif
 uniform sampler2D wood;
 uniform sampler2DArray backdrop; // Street behind the stall by night and by day (backdrop.c).
 out vec4 color;
@@ -62,7 +65,7 @@ float lamp_pool(float falloff)
 #if defined(KEPT)
 void main()
 {
-    vec4 kept = texture(wood, gl_FragCoord.xy * screen.xy);
+    vec4 kept = textureProj(wood, place_in_kept);
 #ifdef SHADED
     kept.rgb *= 1.0 - 0.8 * shade_above(world);
 #endif

@@ -6,6 +6,10 @@ layout(location = 0) in vec3 corner;   // x, z: +-1 at the tank's wall, +-2 at t
 layout(location = 1) in vec3 normal;
 out vec3 world; // Position in the player's axes (from_world()). KEPT: position in the world.
 out vec3 face;
+#ifdef KEPT
+uniform vec4 to_kept[3]; // Rows of the matrix from the world to the texture of the kept picture.
+out vec3 place_in_kept;
+#endif
 
 const float RIM_M = 0.032;
 const float FAR_M = 1.2;
@@ -30,6 +34,8 @@ void main()
     vec3 place = vec3(to_world(world.xz), world.y).xzy;
 #ifdef KEPT
     world = place;
+    vec4 at = vec4(place, 1.0);
+    place_in_kept = vec3(dot(to_kept[0], at), dot(to_kept[1], at), dot(to_kept[2], at));
 #endif
     gl_Position = view_projection * vec4(place, 1.0);
 }

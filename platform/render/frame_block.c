@@ -67,8 +67,8 @@ static void frame_block_set(float out[4], float x, float y, float z, float w)
     out[3] = w;
 }
 
-static void set_camera(struct frame *frame, const struct view *view,
-                       const struct display_transform *transform)
+void frame_view_projection(float out[16], const struct view *view,
+                           const struct display_transform *transform)
 {
     CORE_ASSERT(transform->width > 0.0f && transform->height > 0.0f);
     const float aspect = transform->width / transform->height;
@@ -95,8 +95,16 @@ static void set_camera(struct frame *frame, const struct view *view,
     const float placed[16] = { [0] = turned[0], [1] = turned[1], [4] = turned[2], [5] = turned[3],
                                [10] = 1.0f,     [12] = move[0],  [13] = move[1],  [15] = 1.0f };
     multiply(seen, projection, rotation);
-    multiply(frame->block.view_projection, placed, seen);
-    memcpy(frame->placed, turned, sizeof frame->placed);
+    multiply(out, placed, seen);
+}
+
+static void set_camera(struct frame *frame, const struct view *view,
+                       const struct display_transform *transform)
+{
+    float move[2];
+    frame_view_projection(frame->block.view_projection, view, transform);
+    display_clip_matrix(transform, frame->placed, move);
+    const float tan_y = view_half_height_tan(view, transform->width / transform->height);
     frame->view.eye_m = view->eye_m;
     frame->view.focal_px = 0.5f * transform->height / tan_y;
 }
@@ -242,6 +250,9 @@ static void keep_part(struct frame *frame, const struct frame_part *last,
 /* Frames in which a camera that has stopped still counts as moving, so that a camera that stops for
  * a moment in a round does not change the render targets twice. */
 #define MOVING_FRAMES 180u
+/* Number of equal frames after which the camera rests, more than the frames without a tick on a
+ * fast screen. */
+#define RESTING_FRAMES 8u
 
 /* Finds the part with the water, and whether the camera moves. The camera moves if one of the last
  * frames had another camera, and all of them had the same sizes. */
@@ -254,11 +265,11 @@ static void follow_camera(struct frame *frame, const uint32_t below_px[2])
         memcmp(frame->last_view, frame->block.view_projection, sizeof frame->last_view) == 0;
     const uint32_t left = frame->moving_frames > 0 ? frame->moving_frames - 1u : 0u;
     frame->moving_frames = !is_same_size ? 0u : is_same_view ? left : MOVING_FRAMES;
-    frame->is_moving = frame->moving_frames > 0;
+    frame->is_resting = frame->moving_frames + RESTING_FRAMES <= MOVING_FRAMES;
     memcpy(frame->last_view, frame->block.view_projection, sizeof frame->last_view);
     memcpy(frame->last_below_px, below_px, sizeof frame->last_below_px);
     find_part(frame, below_px);
-    if (frame->is_moving) {
+    if (frame->moving_frames > 0) {
         keep_part(frame, &last, below_px);
     }
 }
@@ -372,8 +383,10 @@ void frame_begin(struct frame *frame, const struct scene *scene,
                     placed[1] * x[0] + placed[3] * x[1], placed[0] * z[0] + placed[2] * z[1],
                     placed[1] * z[0] + placed[3] * z[1]);
     list_shades(&frame->shades, scene);
+    /* The player's right, which is not that of a camera that looks aside. */
+    const vec3 right = view_to_world(view_is_turned(view), v3(1.0f, 0.0f, 0.0f));
     frame_block_set(block->shade_map, 1.0f / (size.x + 2.0f * SHADE_MAP_MARGIN_M),
-                    1.0f / (size.z + 2.0f * SHADE_MAP_MARGIN_M), axes.right.x, axes.right.z);
+                    1.0f / (size.z + 2.0f * SHADE_MAP_MARGIN_M), right.x, right.z);
     frame_block_set(block->eye, scene->view.eye_m.x, scene->view.eye_m.y, scene->view.eye_m.z,
                     seconds);
     frame_block_set(block->tank, 0.5f * size.x, size.y, 0.5f * size.z,

@@ -51,12 +51,12 @@ struct frame {
     GLuint buffer, below_buffer;
     struct frame_block block;
     struct frame_part part;
-    /* Camera and size of the previous frame, the number of frames in which the camera counts as
-     * moving, and true if it is not 0. */
+    /* Camera and size of the previous frame, and the number of frames in which the camera counts as
+     * moving, so that the part keeps its margin. */
     float last_view[16];
     uint32_t last_below_px[2];
     uint32_t moving_frames;
-    bool is_moving;
+    bool is_resting;               /* True if the last frames had the same camera. */
     struct frame_part shaded_part; /* Part of the screen in which fans shade the rim or the counter,
                                       in pixels. Its width is 0 if no fan does. */
     struct frame_view view;
@@ -64,6 +64,11 @@ struct frame {
     struct frame_shades shades;
     bool is_day; /* True if the stall stands in daylight, without lamps. */
 };
+
+/* Writes the matrix from the world to the clip space of the screen, for the camera `view` and the
+ * display geometry `transform`, to `out`. The matrix is column-major. */
+void frame_view_projection(float out[16], const struct view *view,
+                           const struct display_transform *transform);
 
 void frame_open(struct frame *frame);
 void frame_close(struct frame *frame);

@@ -108,11 +108,7 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
             bowl_pass_hull(&renderer->bowl, &scene->bowl[i]);
         }
     }
-    if (renderer->frame.is_moving) {
-        basin_pass_moving_deck(&renderer->basin, &renderer->textures);
-    } else {
-        basin_pass_deck(&renderer->basin, &renderer->deck, &renderer->frame.shaded_part);
-    }
+    basin_pass_deck(&renderer->basin, &renderer->frame, &renderer->deck, &renderer->textures);
     quad_pass_air(&renderer->quad, scene, true);
     quad_pass_drips(&renderer->quad, scene);
     fish_pass_bodies(&renderer->fish, FISH_ON_POI, false, &renderer->textures, caustics);
@@ -155,8 +151,7 @@ static void finish_screen(const struct renderer *renderer)
 
 static void draw_tank(struct renderer *renderer, const struct scene *scene)
 {
-    frame_begin(&renderer->frame, scene, &renderer->transform,
-                (const uint32_t[2]){ renderer->deck.width, renderer->deck.height },
+    frame_begin(&renderer->frame, scene, &renderer->transform, renderer->screen_px,
                 renderer->below_px);
     renderer_fit_below(renderer);
     fish_pass_prepare(&renderer->fish, scene, &renderer->frame, &renderer->quality);
@@ -164,7 +159,8 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     bowl_pass_prepare(&renderer->bowl, scene, renderer->display_settings.has_white_bowls != 0);
     poi_pass_prepare(&renderer->poi, scene);
     hand_pass_prepare(&renderer->hand, scene);
-    basin_pass_keep_deck(&renderer->basin, &renderer->frame, &renderer->deck, &renderer->textures);
+    basin_pass_keep_deck(&renderer->basin, &renderer->frame, scene, &renderer->transform,
+                         &renderer->deck, &renderer->textures);
     step_done(renderer, STEP_PREPARE);
     light_pass_shades(&renderer->light, &renderer->frame.shades);
     light_pass_caustics(&renderer->light, &renderer->textures);

@@ -2,8 +2,8 @@
  * defines the order of drawing in a frame. renderer_open.c creates all objects.
  *
  * The renderer requires a current OpenGL ES 3.0 context and does not use SDL. The picture depends
- * only on the scene and the size. Drawing a scene twice on one machine therefore produces the same
- * pixels. */
+ * only on the scene, the size, and the earlier camera whose picture of the rim and the counter is
+ * kept (basin_pass.h). Drawing a scene twice on one machine therefore produces the same pixels. */
 #pragma once
 
 #include "core/scene.h"
@@ -78,6 +78,9 @@ struct renderer {
     /* Width and height in pixels of the complete picture of the underwater scene. The targets
      * `ground`, `life` and `mirror` have only the part `part` of the picture. */
     uint32_t below_px[2];
+    /* Width and height in pixels of the picture above the water, without its words. The target
+     * `deck` has an additional margin. */
+    uint32_t screen_px[2];
     struct frame_part part;
     struct gl_target ground, life, mirror, deck;
     /* Render target for the screen, if the picture is multisampled or smaller than the screen.

@@ -12,6 +12,11 @@
 #define GL_CONTEXT_LOST_KHR 0x0507
 #endif
 
+/* Margin on each side of the kept picture of the rim and the counter, as a fraction of the smaller
+ * side of the screen. In attract mode, the drifting camera shows a tenth beyond the picture of the
+ * camera at rest. */
+#define DECK_MARGIN 0.1f
+
 static const char *gl_string(GLenum name)
 {
     const char *const text = (const char *)glGetString(name);
@@ -42,17 +47,24 @@ static void open_targets(struct renderer *renderer)
     const struct quality *const quality = &renderer->quality;
     renderer->below_px[0] = scaled(width, quality->scene_scale);
     renderer->below_px[1] = scaled(height, quality->scene_scale);
+    uint32_t *const screen_px = renderer->screen_px;
+    screen_px[0] = scaled(width, quality->screen_scale);
+    screen_px[1] = scaled(height, quality->screen_scale);
+    const uint32_t short_px = screen_px[screen_px[0] > screen_px[1]];
+    const uint32_t room_px = renderer->side_max - screen_px[screen_px[0] <= screen_px[1]];
+    const uint32_t wanted_px = scaled(short_px, DECK_MARGIN);
+    const uint32_t margin_px = wanted_px < room_px / 2u ? wanted_px : room_px / 2u;
     basin_pass_forget(&renderer->basin);
     gl_target_open(&renderer->status, "deck", &renderer->deck,
                    &(struct gl_target_desc){ .internal_format = GL_RGBA8,
-                                             .width = scaled(width, quality->screen_scale),
-                                             .height = scaled(height, quality->screen_scale),
+                                             .width = screen_px[0] + 2u * margin_px,
+                                             .height = screen_px[1] + 2u * margin_px,
                                              .samples = quality->samples });
     if (quality->samples > 1 || quality->screen_scale < 1.0f) {
         gl_target_open(&renderer->status, "screen", &renderer->screen,
                        &(struct gl_target_desc){ .internal_format = GL_RGBA8,
-                                                 .width = renderer->deck.width,
-                                                 .height = renderer->deck.height,
+                                                 .width = screen_px[0],
+                                                 .height = screen_px[1],
                                                  .samples = quality->samples,
                                                  .depth = true });
     }

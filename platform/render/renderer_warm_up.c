@@ -109,13 +109,16 @@ int renderer_warm_up(struct renderer *renderer, struct scene *scratch, uint32_t 
     int error = renderer_lower(renderer, warm_steps[picture / WARM_KINDS]);
     if (error == HAL_OK) {
         renderer->transform.light = 0.5f; /* A second program darkens the picture. */
-        /* The pois are in the water, then above it. In the third picture the camera moves. */
+        /* The pois are in the water, then above it. In the third picture the camera moves far away
+         * from the kept picture of the rim and the counter, so that these are drawn completely. */
         fill_scene(scratch, kind == 1 ? 0.05f : 0.0f);
+        scratch->view.eye_m = kind == 2 ? v3(0.0f, 0.4f, 0.4f) : scratch->view.eye_m;
         frame_set_moving(&renderer->frame, kind == 2, renderer->below_px);
         renderer_draw(renderer, scratch);
         draw_page(renderer);
         error = renderer_lower(renderer, step);
         frame_set_moving(&renderer->frame, false, renderer->below_px);
+        renderer->basin.kept = (struct deck_view){ 0 };
     }
     renderer->transform.light = light;
     renderer->ui.memory = memory;

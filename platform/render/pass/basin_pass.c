@@ -25,9 +25,9 @@ enum basin_part {
     PART_WALLS,
     PART_SURFACE,
     PART_EDGE,
+    PART_BACKDROP,
     PART_COUNTER,
     PART_SIDES,
-    PART_BACKDROP,
     PART_RIM,
     PART_MIRROR,
     PART_KEPT,
@@ -65,6 +65,8 @@ static const struct face faces[] = {
     { { -H, 0, H }, { H, 0, H }, { 1, 0, 1 }, { -1, 0, 1 }, UP },
     { { -1, 0, -1 }, { -H, 0, -H }, { -H, 0, H }, { -1, 0, 1 }, UP },
     { { H, 0, -H }, { 1, 0, -1 }, { 1, 0, 1 }, { H, 0, H }, UP },
+    /* Street behind the stall. */
+    { { -3, -1, -3 }, { 3, -1, -3 }, { 3, 2, -3 }, { -3, 2, -3 }, { 0, 0, 1 } },
     /* Counter (the table around the tank), in the order far, near, left, right. */
     { { -3, -1, -3 }, { 3, -1, -3 }, { 3, -1, -2 }, { -3, -1, -2 }, UP },
     { { -3, -1, 2 }, { 3, -1, 2 }, { 3, -1, 3 }, { -3, -1, 3 }, UP },
@@ -78,8 +80,6 @@ static const struct face faces[] = {
     /* Outer side of the rim's near edge. The player cannot see the outer sides of the other
      * edges. */
     { { -2, -1, 2 }, { 2, -1, 2 }, { 2, 1, 2 }, { -2, 1, 2 }, { 0, 0, 1 } },
-    /* Street behind the stall. */
-    { { -3, -1, -3 }, { 3, -1, -3 }, { 3, 2, -3 }, { -3, 2, -3 }, { 0, 0, 1 } },
     /* Top of the rim, in the order far, near, left, right. */
     { { -2, 1, -2 }, { 2, 1, -2 }, { 2, 1, -1 }, { -2, 1, -1 }, UP },
     { { -2, 1, 1 }, { 2, 1, 1 }, { 2, 1, 2 }, { -2, 1, 2 }, UP },
@@ -90,8 +90,8 @@ static const struct face faces[] = {
 };
 #define FACE_COUNT (sizeof faces / sizeof *faces)
 
-static const uint8_t part_faces[PART_END + 1] = { 0,  0,  0,  1,  5,          9,
-                                                  13, 14, 18, 19, FACE_COUNT, FACE_COUNT };
+static const uint8_t part_faces[PART_END + 1] = { 0,  0,  0,  1,  5,          6,
+                                                  10, 14, 18, 19, FACE_COUNT, FACE_COUNT };
 
 /* Shader program of each part of the tank. */
 static const struct {
@@ -103,11 +103,11 @@ static const struct {
     [PART_SURFACE] = { "water", "", shader_water_vert, shader_water_frag, "ground life mirror" },
     [PART_EDGE] = { "water edge", "#define EDGE\n", shader_water_vert, shader_water_frag,
                     "ground life mirror" },
+    [PART_BACKDROP] = { "backdrop", "#define BACKDROP\n", shader_deck_vert, shader_deck_frag,
+                        "wood backdrop" },
     [PART_COUNTER] = { "counter", "#define COUNTER\n", shader_deck_vert, shader_deck_frag,
                        "wood backdrop" },
     [PART_SIDES] = { "rim sides", "", shader_deck_vert, shader_deck_frag, "wood backdrop" },
-    [PART_BACKDROP] = { "backdrop", "#define BACKDROP\n", shader_deck_vert, shader_deck_frag,
-                        "wood backdrop" },
     [PART_RIM] = { "rim", "#define RIM\n", shader_deck_vert, shader_deck_frag, "wood backdrop" },
     [PART_MIRROR] = { "mirror", "#define MIRROR\n", shader_water_vert, shader_mirror_frag,
                       "slopes environment" },
@@ -139,6 +139,9 @@ void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
         pass->programs[i] =
             gl_program(status, programs[i].name, programs[i].defines, programs[i].vertex,
                        programs[i].fragment, programs[i].samplers);
+    }
+    for (uint32_t i = 0; i < 2; i++) {
+        pass->to_kept[i] = glGetUniformLocation(pass->programs[PART_KEPT + i], "to_kept");
     }
     struct corner corners[FACE_COUNT * VERTICES_PER_FACE];
     struct corner *out = corners;
@@ -269,53 +272,131 @@ void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint sh
 }
 
 /* Draws the rim, the counter and the street into the current render target. The faces are drawn
- * from the lowest to the highest. */
+ * from the farthest to the nearest. */
 static void draw_deck(const struct basin_pass *pass, const struct textures *textures)
 {
     gl_bind_texture(0, GL_TEXTURE_2D, textures->wood);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, textures->backdrop);
+    draw_part(pass, PART_BACKDROP);
     draw_part(pass, PART_COUNTER);
     draw_part(pass, PART_SIDES);
-    draw_part(pass, PART_BACKDROP);
     glEnable(GL_BLEND);
     draw_part(pass, PART_RIM);
     glDisable(GL_BLEND);
 }
 
+/* Returns the row `row` of the column-major matrix `m`, multiplied by the point `at`. */
+static float times_row(const float m[16], uint32_t row, vec3 at)
+{
+    return m[row] * at.x + m[4 + row] * at.y + m[8 + row] * at.z + m[12 + row];
+}
+
+/* Largest factor by which a texel of the kept picture may be magnified. */
+#define KEPT_ZOOM_MAX 1.3f
+
+/* Returns true if the kept picture of a tank shows the four corners of the picture of the camera
+ * `view`, without too large texels. Everything between the corners is then in the kept picture too.
+ * A camera that comes closer also sees nothing that the rim hides from the camera of the kept
+ * picture, because the closer camera looks less steeply over the rim. */
+static bool is_covered(const struct deck_view *kept, const struct view *view, float aspect)
+{
+    const vec3 back = view_basis(view).back;
+    const float zoom = kept->view.half_height_tan / view->half_height_tan;
+    bool is_inside = true;
+    for (uint32_t i = 0; i < 4 && is_inside; i++) {
+        const vec3 at_m =
+            view_point_on_plane(view, aspect, i & 1u ? 1.0f : -1.0f, i & 2u ? 1.0f : -1.0f, 0.0f);
+        const float depth_m = v3_dot(v3_sub(view->eye_m, at_m), back);
+        const float w = times_row(kept->view_projection, 3, at_m);
+        const float edge = 1.001f * w; /* A corner of the same camera is rounded. */
+        is_inside = f_abs(times_row(kept->view_projection, 0, at_m)) <= edge &&
+                    f_abs(times_row(kept->view_projection, 1, at_m)) <= edge &&
+                    zoom * w <= KEPT_ZOOM_MAX * depth_m;
+    }
+    return is_inside;
+}
+
+/* Computes the matrix of the kept picture with its margin. Returns true if the picture has this
+ * matrix already. */
+static bool set_kept_matrix(struct deck_view *kept, const struct frame *frame,
+                            const struct display_transform *transform,
+                            const struct gl_target *target)
+{
+    const float share[2] = { 1.0f / (frame->block.screen[0] * (float)target->width),
+                             1.0f / (frame->block.screen[1] * (float)target->height) };
+    float m[16];
+    frame_view_projection(m, &kept->view, transform);
+    for (uint32_t i = 0; i < 16; i++) {
+        m[i] *= i % 4u < 2u ? share[i % 4u] : 1.0f;
+    }
+    const bool is_same = memcmp(m, kept->view_projection, sizeof m) == 0;
+    memcpy(kept->view_projection, m, sizeof m);
+    return is_same;
+}
+
 void basin_pass_keep_deck(struct basin_pass *pass, const struct frame *frame,
+                          const struct scene *scene, const struct display_transform *transform,
                           const struct gl_target *target, const struct textures *textures)
 {
-    struct deck_view view;
-    memcpy(view.view_projection, frame->block.view_projection, sizeof view.view_projection);
-    memcpy(view.tank, frame->block.tank, sizeof view.tank);
-    if (frame->is_moving || memcmp(&view, &pass->kept, sizeof view) == 0) {
+    struct deck_view *const kept = &pass->kept;
+    bool is_known = memcmp(kept->tank, frame->block.tank, sizeof kept->tank) == 0;
+    if (is_known) {
+        kept->is_drawn &= set_kept_matrix(kept, frame, transform, target);
+        is_known = is_covered(kept, &scene->view, transform->width / transform->height);
+    }
+    pass->is_deck_kept = is_known || frame->is_resting;
+    if (!is_known && frame->is_resting) {
+        kept->view = scene->view;
+        memcpy(kept->tank, frame->block.tank, sizeof kept->tank);
+        set_kept_matrix(kept, frame, transform, target);
+        kept->is_drawn = false;
+    }
+    if (!pass->is_deck_kept || kept->is_drawn) {
         return;
     }
-    pass->kept = view;
+    kept->is_drawn = true;
+    struct frame_block block = frame->block;
+    memcpy(block.view_projection, kept->view_projection, sizeof block.view_projection);
+    memcpy(block.eye, &kept->view.eye_m, sizeof kept->view.eye_m);
+    glBindBuffer(GL_UNIFORM_BUFFER, frame->buffer);
+    gl_buffer_refill(GL_UNIFORM_BUFFER, &block, sizeof block);
     gl_target_bind(target);
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT);
     draw_deck(pass, textures);
     gl_target_resolve(target);
-}
-
-void basin_pass_moving_deck(const struct basin_pass *pass, const struct textures *textures)
-{
-    glDepthMask(GL_FALSE);
-    draw_deck(pass, textures);
-    glDepthMask(GL_TRUE);
+    gl_buffer_refill(GL_UNIFORM_BUFFER, &frame->block, sizeof frame->block);
 }
 
 void basin_pass_forget(struct basin_pass *pass)
 {
-    pass->kept = (struct deck_view){ 0 };
+    pass->kept.is_drawn = false;
+}
+
+/* Writes the rows of the matrix from the world to the texture of the kept picture: to u and v, both
+ * multiplied by w, and to w. */
+static void set_to_kept(const struct basin_pass *pass)
+{
+    const float *const m = pass->kept.view_projection;
+    float rows[3][4];
+    for (uint32_t i = 0; i < 4; i++) {
+        rows[0][i] = 0.5f * (m[4u * i] + m[4u * i + 3u]);
+        rows[1][i] = 0.5f * (m[4u * i + 1u] + m[4u * i + 3u]);
+        rows[2][i] = m[4u * i + 3u];
+    }
+    for (uint32_t i = 0; i < 2; i++) {
+        glUseProgram(pass->programs[PART_KEPT + i]);
+        glUniform4fv(pass->to_kept[i], 3, rows[0]);
+    }
 }
 
 /* The shades are read only in the part where fans cast them, because each texture lookup of the rim
  * and the counter takes V3D half a millisecond on the whole screen. */
-void basin_pass_deck(const struct basin_pass *pass, const struct gl_target *kept,
-                     const struct frame_part *shaded)
+static void draw_kept_deck(const struct basin_pass *pass, const struct frame *frame,
+                           const struct gl_target *kept)
 {
+    const struct frame_part *const shaded = &frame->shaded_part;
+    /* The screen is smaller than the kept picture. */
     const GLsizei width = (GLsizei)kept->width, height = (GLsizei)kept->height;
     const GLsizei left = (GLsizei)shaded->x, right = left + (GLsizei)shaded->width;
     const GLsizei low = (GLsizei)shaded->y, high = low + (GLsizei)shaded->height;
@@ -326,18 +407,29 @@ void basin_pass_deck(const struct basin_pass *pass, const struct gl_target *kept
                                   { 0, high, width, height - high },
                                   { 0, low, left, high - low },
                                   { right, low, width - right, high - low } };
+    set_to_kept(pass);
     gl_bind_texture(0, GL_TEXTURE_2D, kept->texture);
-    glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glEnable(GL_SCISSOR_TEST);
     for (uint32_t i = 0; i < 5; i++) {
         if (parts[i][2] > 0 && parts[i][3] > 0) {
             glScissor(parts[i][0], parts[i][1], parts[i][2], parts[i][3]);
-            draw_parts(pass, i == 0 ? PART_KEPT_SHADED : PART_KEPT, PART_COUNTER, PART_RIM);
+            draw_parts(pass, i == 0 ? PART_KEPT_SHADED : PART_KEPT, PART_BACKDROP, PART_RIM);
         }
     }
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
+}
+
+void basin_pass_deck(const struct basin_pass *pass, const struct frame *frame,
+                     const struct gl_target *kept, const struct textures *textures)
+{
+    glDepthMask(GL_FALSE);
+    if (pass->is_deck_kept) {
+        draw_kept_deck(pass, frame, kept);
+    } else {
+        draw_deck(pass, textures);
+    }
     glDepthMask(GL_TRUE);
 }
 

@@ -1,0 +1,142 @@
+/* test_deck.c -- Tests the picture of the rim and the counter that is kept while the camera
+ * moves. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "platform/render/display_gl.h"
+#include "tests/unit/support/display_fixture.h"
+
+/* Number of frames after which the camera rests, as in frame_block.c. */
+#define RESTING_FRAMES 8u
+
+static double mean_difference(void)
+{
+    uint64_t sum = 0;
+    for (uint32_t i = 0; i < PIXELS_SIZE; i++) {
+        sum += (uint64_t)abs(pixels[0][i] - pixels[1][i]);
+    }
+    return (double)sum / PIXELS_SIZE;
+}
+
+/* Moves the camera without a turn by the share `share` of its distance from a place of the
+ * water. */
+static void come_closer(float share)
+{
+    const vec3 way = v3_scale(v3_sub(v3(0.2f, 0.0f, 0.1f), scene.view.eye_m), share);
+    scene.view.eye_m = v3_add(scene.view.eye_m, way);
+    scene.view.target_m = v3_add(scene.view.target_m, way);
+}
+
+/* Draws the next frame of a moving camera without a kept picture. */
+static void draw_live(uint8_t out[PIXELS_SIZE])
+{
+    display.renderer.basin.kept = (struct deck_view){ 0 };
+    scene.view.eye_m.x += 1e-5f;
+    picture(out);
+    assert_false(display.renderer.basin.is_deck_kept);
+}
+
+static void test_a_closer_camera_sees_the_kept_rim_as_it_would_be_drawn(void **state)
+{
+    (void)state;
+    scene.phase = PHASE_WORDLESS;
+    picture(pixels[0]);
+    come_closer(0.1f);
+    picture(pixels[1]);
+    const double moved = mean_difference();
+    assert_true(display.renderer.basin.is_deck_kept);
+    draw_live(pixels[0]);
+    const double changed = mean_difference();
+    print_message("mean difference: %.2f from the camera at rest, %.2f from the drawn rim\n", moved,
+                  changed);
+    assert_true(moved > 5.0 && changed < 0.05 * moved);
+}
+
+static void test_a_drifting_camera_sees_the_kept_rim_as_it_would_be_drawn(void **state)
+{
+    (void)state;
+    scene.phase = PHASE_WORDLESS;
+    picture(pixels[0]);
+    scene.view.eye_m = v3_add(scene.view.eye_m, v3(0.045f, 0.02f, 0.03f));
+    picture(pixels[1]);
+    const double moved = mean_difference();
+    assert_true(display.renderer.basin.is_deck_kept);
+    draw_live(pixels[0]);
+    const double changed = mean_difference();
+    print_message("mean difference: %.2f from the camera at rest, %.2f from the drawn rim\n", moved,
+                  changed);
+    assert_true(moved > 5.0 && changed < 0.1 * moved);
+}
+
+static void
+test_a_place_beyond_the_kept_picture_is_drawn_and_kept_when_the_camera_rests(void **state)
+{
+    (void)state;
+    const struct basin_pass *const basin = &display.renderer.basin;
+    const struct view rest = scene.view;
+    picture(pixels[0]);
+    assert_true(basin->is_deck_kept);
+    /* The first place is beside the picture, and the second too close. */
+    for (uint32_t i = 0; i < 2; i++) {
+        scene.view = rest;
+        if (i == 0) {
+            scene.view.target_m.x += 0.3f;
+        } else {
+            come_closer(0.5f);
+        }
+        picture(pixels[0]);
+        assert_false(basin->is_deck_kept);
+        for (uint32_t frame = 0; frame < RESTING_FRAMES; frame++) {
+            picture(pixels[1]);
+        }
+        assert_true(basin->is_deck_kept);
+        assert_memory_equal(&basin->kept.view, &scene.view, sizeof scene.view);
+        assert_true(mean_difference() < 0.01);
+    }
+}
+
+static void test_new_render_targets_get_the_picture_of_the_camera_at_rest(void **state)
+{
+    (void)state;
+    const struct basin_pass *const basin = &display.renderer.basin;
+    const struct view rest = scene.view;
+    picture(pixels[0]);
+    come_closer(0.1f);
+    assert_int_equal(renderer_lower(&display.renderer, 4u), HAL_OK);
+    picture(pixels[0]);
+    assert_true(basin->is_deck_kept);
+    assert_memory_equal(&basin->kept.view, &rest, sizeof rest);
+    draw_live(pixels[1]);
+    assert_true(mean_difference() < 1.0);
+}
+
+/* In attract mode, the drifting camera looks aside. */
+static void test_the_rim_stays_at_the_tank_while_the_camera_looks_aside(void **state)
+{
+    (void)state;
+    const float *const map = display.renderer.frame.block.shade_map;
+    scene.view.eye_m.x += 0.2f;
+    picture(pixels[0]);
+    assert_true(map[2] == 1.0f && map[3] == 0.0f);
+    scene.view = scene.turned_view;
+    scene.view.eye_m.z += 0.2f;
+    picture(pixels[0]);
+    assert_true(map[2] == 0.0f && map[3] == -1.0f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        WITH_DISPLAY(test_a_closer_camera_sees_the_kept_rim_as_it_would_be_drawn),
+        WITH_DISPLAY(test_a_drifting_camera_sees_the_kept_rim_as_it_would_be_drawn),
+        WITH_DISPLAY(test_a_place_beyond_the_kept_picture_is_drawn_and_kept_when_the_camera_rests),
+        WITH_DISPLAY(test_new_render_targets_get_the_picture_of_the_camera_at_rest),
+        WITH_DISPLAY(test_the_rim_stays_at_the_tank_while_the_camera_looks_aside),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
