@@ -1,5 +1,5 @@
 /* test_fish_wave.c -- Tests that the tail of a drawn fish swings as far as the scene specifies, and
- * that its gill covers move and its dorsal fin is visible.
+ * that its gill covers move, its dorsal fin is visible and its wet skin has a narrow gloss.
  *
  * All are measured in pictures that are drawn from above. */
 #include <setjmp.h>
@@ -223,6 +223,25 @@ static uint32_t count_changes(uint32_t reach_px, float from, float to)
     return count;
 }
 
+/* Returns the mean red, green and blue value in the rows from `from` to `to`, within `reach_px` of
+ * the middle column. */
+static float mean_light(const uint8_t *rgb, uint32_t reach_px, float from, float to)
+{
+    uint32_t sum = 0, count = 0;
+    for (uint32_t y = (uint32_t)from; y < (uint32_t)to; y++) {
+        const uint8_t *const row = rgb + 3u * ((size_t)y * SIDE_PX + SIDE_PX / 2u - reach_px);
+        for (uint32_t i = 0; i < 6u * reach_px; i++) {
+            sum += row[i];
+            count++;
+        }
+    }
+    return (float)sum / (float)count;
+}
+
+/* Ticks at which the gill covers of a fish with the look 0 are closed and open (fish_pass.c). */
+#define CLOSED_TICK 63u
+#define OPEN_TICK 21u
+
 static void test_a_gill_cover_moves_while_the_fish_rests(void **state)
 {
     (void)state;
@@ -230,16 +249,26 @@ static void test_a_gill_cover_moves_while_the_fish_rests(void **state)
     const struct outline still = drawn(0.0f, 0.0f, 0.0f);
     const float length_px = still.bottom - still.top;
     remove_fins(FISH_FINS, counts);
+    const uint32_t tick = scene.tick;
+    scene.tick = CLOSED_TICK;
     picture(empty);
-    scene.tick += CORE_TICK_HZ / 3u;
+    scene.tick = OPEN_TICK;
     picture(pixels);
+    scene.tick = tick;
     restore_fins(FISH_FINS, counts);
+    /* Without the motion of the pattern, the shadow alone would change 264 pixels. */
     const uint32_t at_gill =
         count_changes(30, still.top + 0.15f * length_px, still.top + 0.32f * length_px);
     const uint32_t behind =
         count_changes(10, still.top + 0.42f * length_px, still.top + 0.60f * length_px);
     print_message("a breath changes %u pixels at the gill covers, %u behind\n", at_gill, behind);
-    assert_true(at_gill > 200u && behind == 0);
+    assert_true(at_gill > 600u && behind == 0);
+    /* The edge of an open cover casts a stronger shadow. Without the shadow, the motion of the
+     * pattern would darken the gill by only 0.080. */
+    const float from = still.top + 0.20f * length_px, to = still.top + 0.30f * length_px;
+    const float change = mean_light(pixels, 30, from, to) - mean_light(empty, 30, from, to);
+    print_message("the shadow of the gill covers changes the mean light by %.3f\n", (double)change);
+    assert_true(change < -0.09f);
 }
 
 /* Height of the camera above the fish, in metres, at which a pixel is as wide as in the middle of
@@ -285,7 +314,42 @@ static void test_a_dorsal_fin_seen_from_above_has_a_pixel_in_each_row(void **sta
         fewest, fin, body);
     assert_true(end > start + 5u && fewest > 0 && changed > 5u * (end - start) / 2u);
     /* The fin has the colour of the back, and is no dark line on it. */
-    assert_true(10u * fin > 8u * body);
+    assert_true(100u * fin > 97u * body);
+}
+
+/* Returns the number of pixels of the row `y` that belong to the gloss: those whose blue is nearer
+ * to the largest value of the row than to the mean of the fish. Skin is red, so that blue shows the
+ * light of a lamp. Writes the largest value to `peak`. */
+static uint32_t gloss_width(uint32_t y, uint32_t *peak)
+{
+    const uint8_t *const row = pixels + 3u * (size_t)y * SIDE_PX;
+    uint32_t sum = 0, count = 0, width = 0;
+    *peak = 0;
+    for (uint32_t x = 0; x < SIDE_PX; x++) {
+        const uint32_t blue = is_fish(x, y) ? row[3u * x + 2u] : 0u;
+        *peak = blue > *peak ? blue : *peak;
+        sum += blue;
+        count += is_fish(x, y);
+    }
+    assert_true(count > 0);
+    for (uint32_t x = 0; x < SIDE_PX; x++) {
+        width += is_fish(x, y) && 2u * row[3u * x + 2u] > *peak + sum / count;
+    }
+    return width;
+}
+
+static void test_wet_skin_of_a_near_fish_has_a_narrow_gloss(void **state)
+{
+    (void)state;
+    const struct outline fish = drawn(0.0f, 0.0f, 0.0f);
+    for (uint32_t percent = 25; percent <= 30u; percent += 5u) {
+        uint32_t peak;
+        const float along = 0.01f * (float)percent * (fish.bottom - fish.top);
+        const uint32_t width = gloss_width((uint32_t)(fish.top + along), &peak);
+        print_message("the gloss on the back has a blue of %u and is %u pixels wide\n", peak,
+                      width);
+        assert_true(peak > 160u && width > 0 && width <= 9u);
+    }
 }
 
 int main(void)
@@ -295,6 +359,7 @@ int main(void)
         cmocka_unit_test(test_a_startle_bends_the_whole_fish_into_a_c),
         cmocka_unit_test(test_a_gill_cover_moves_while_the_fish_rests),
         cmocka_unit_test(test_a_dorsal_fin_seen_from_above_has_a_pixel_in_each_row),
+        cmocka_unit_test(test_wet_skin_of_a_near_fish_has_a_narrow_gloss),
     };
     return cmocka_run_group_tests(tests, open_display, close_display);
 }
