@@ -104,6 +104,7 @@ int renderer_warm_up(struct renderer *renderer, struct scene *scratch, uint32_t 
 {
     CORE_ASSERT(picture < RENDERER_WARM_UPS);
     const struct ui_memory memory = renderer->ui.memory;
+    const struct deck_view kept = renderer->basin.kept;
     const float light = renderer->transform.light;
     const uint32_t step = renderer->step, kind = picture % WARM_KINDS;
     int error = renderer_lower(renderer, warm_steps[picture / WARM_KINDS]);
@@ -118,7 +119,8 @@ int renderer_warm_up(struct renderer *renderer, struct scene *scratch, uint32_t 
         draw_page(renderer);
         error = renderer_lower(renderer, step);
         frame_set_moving(&renderer->frame, false, renderer->below_px);
-        renderer->basin.kept = (struct deck_view){ 0 };
+        renderer->basin.kept = kept;
+        basin_pass_forget(&renderer->basin);
     }
     renderer->transform.light = light;
     renderer->ui.memory = memory;

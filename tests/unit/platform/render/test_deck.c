@@ -111,6 +111,9 @@ static void test_new_render_targets_get_the_picture_of_the_camera_at_rest(void *
     picture(pixels[0]);
     assert_true(basin->is_deck_kept);
     assert_memory_equal(&basin->kept.view, &rest, sizeof rest);
+    assert_int_equal(renderer_warm_up(&display.renderer, &display.shown, 2u), HAL_OK);
+    picture(pixels[0]);
+    assert_memory_equal(&basin->kept.view, &rest, sizeof rest);
     draw_live(pixels[1]);
     assert_true(mean_difference() < 1.0);
 }
