@@ -8,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "platform/kiosk/output_devices.h"
 #include "platform/render/display_gl.h"
 #include "tests/unit/support/display_fixture.h"
 
@@ -118,6 +119,59 @@ static void test_new_render_targets_get_the_picture_of_the_camera_at_rest(void *
     assert_true(mean_difference() < 1.0);
 }
 
+/* Plays a round of one player in the tank `preset`, and draws some frames of its camera. The poi
+ * circles at the walls. */
+static void play_round(uint8_t preset, uint32_t width, uint32_t height)
+{
+    static const struct output_dimmer dimmer;
+    static struct output_camera camera;
+    const struct basin_pass *const basin = &display.renderer.basin;
+    const bool is_turned = height > width;
+    const struct view rest = tank_preset_view(tank_preset(preset), is_turned);
+    memset(&camera, 0, sizeof camera);
+    scene.phase = PHASE_ROUND;
+    scene.view = rest;
+    scene.tank_size_m = tank_preset(preset)->size_m;
+    scene.wall_height_m = tank_preset(preset)->wall_height_m;
+    assert_int_equal(renderer_resize(&display.renderer, width, height), HAL_OK);
+    renderer_draw(&display.renderer, &scene);
+    for (uint32_t step = 0; step < 1200u; step++) {
+        const float turn = 0.01f * (float)step;
+        scene.poi[0].position_m = v3(0.49f * scene.tank_size_m.x * f_cos(turn), 0.035f,
+                                     0.49f * scene.tank_size_m.z * f_sin(turn));
+        scene.tick += 2u;
+        scene.view = rest;
+        output_camera_step(&camera, &dimmer, &scene, is_turned, true, &scene.view);
+        if (step % 60u == 59u) {
+            renderer_draw(&display.renderer, &scene);
+            assert_true(basin->is_deck_kept);
+            assert_memory_equal(&basin->kept.view, &rest, sizeof rest);
+        }
+    }
+    assert_true(camera.closer[0].at > 0.05f);
+}
+
+static void test_the_kept_picture_shows_all_that_the_camera_of_a_round_sees(void **state)
+{
+    (void)state;
+    static const uint32_t sizes_px[][2] = {
+        { 160, 90 }, { 120, 90 }, { 210, 90 }, { 90, 160 }, { 90, 120 },
+    };
+    scene.fish_count = 0;
+    scene.poi[0].present = scene.bowl[0].present = 1;
+    scene.poi[0].ring_radius_m = 0.04f;
+    scene.bowl[0].radius_m = 0.08f;
+    scene.bowl[0].depth_m = 0.06f;
+    for (uint32_t i = 1; i < POI_MAX; i++) {
+        scene.bowl[i].present = 0;
+    }
+    for (uint8_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
+        for (uint32_t i = 0; i < sizeof sizes_px / sizeof *sizes_px; i++) {
+            play_round(preset, sizes_px[i][0], sizes_px[i][1]);
+        }
+    }
+}
+
 /* In attract mode, the drifting camera looks aside. */
 static void test_the_rim_stays_at_the_tank_while_the_camera_looks_aside(void **state)
 {
@@ -139,6 +193,7 @@ int main(void)
         WITH_DISPLAY(test_a_drifting_camera_sees_the_kept_rim_as_it_would_be_drawn),
         WITH_DISPLAY(test_a_place_beyond_the_kept_picture_is_drawn_and_kept_when_the_camera_rests),
         WITH_DISPLAY(test_new_render_targets_get_the_picture_of_the_camera_at_rest),
+        WITH_DISPLAY(test_the_kept_picture_shows_all_that_the_camera_of_a_round_sees),
         WITH_DISPLAY(test_the_rim_stays_at_the_tank_while_the_camera_looks_aside),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
