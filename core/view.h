@@ -52,6 +52,10 @@ static inline float view_pan(bool is_turned, vec3 size_m, vec3 at_m)
 /* Returns the axes of the camera. The axis `back` points from the target to the eye. */
 struct basis view_basis(const struct view *view);
 
+/* Returns the place of `point_m` in the picture of the camera, at a distance of 1 from the eye: to
+ * the right (x) and up (y). z is the length in this picture of one metre at the point. */
+vec3 view_project(const struct view *view, vec3 point_m);
+
 /* Returns true if the camera shows the tank from its short side. */
 bool view_is_turned(const struct view *view);
 

@@ -21,6 +21,9 @@
 #define GL_TEXTURE_SURE 2048u
 /* Number of layers of an array texture that is supported by every OpenGL ES 3.0 driver. */
 #define GL_LAYERS_SURE 256u
+/* Line of a shader that defines the name `name` as the value of the macro `number`. */
+#define GL_DEFINE(name, number) "#define " name " " GL_STRING(number) "\n"
+#define GL_STRING(number) #number
 /* Number of vertices of disc_and_handle() in common.glsl. */
 #define DISC_AND_HANDLE_VERTICES 12
 

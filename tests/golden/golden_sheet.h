@@ -10,11 +10,11 @@
 #define GOLDEN_TILES_MAX 256u
 #define GOLDEN_NAME_SIZE 32u
 
-/* Largest mean difference of the colour values of a tile, 0 to 255. A text line that moves by one
- * tile pixel differs by more. */
-#define GOLDEN_MEAN_MAX 1.5
-/* Largest difference of one colour value of a tile. */
-#define GOLDEN_PEAK_MAX 48
+/* Largest mean difference of the colour values of a tile, and largest difference of one colour
+ * value, 0 to 255. Mesa 22.3 of Debian 12 and Mesa 25.0 of Debian 13 differ by at most 0.005 and 2
+ * (tests/FIGURES.md). */
+#define GOLDEN_MEAN_MAX 0.1
+#define GOLDEN_PEAK_MAX 10
 
 struct golden_sheet {
     int tile_width, tile_height;

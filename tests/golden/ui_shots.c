@@ -208,8 +208,7 @@ static int shoot_all(struct ui *ui, const char *out, struct canvas canvas, uint8
 
 /* Sizes of the compared screens, and sizes of their tiles on the golden sheet, on the contact sheet
  * and on the sheet of all pictures. A golden tile has 1/16 of the width of a screen of 720 pixels.
- * Every screen is drawn at its full size before the picture is reduced. Both sizes of 16:9 have the
- * same layout and share a golden sheet. */
+ * Every screen is drawn at its full size before the picture is reduced. */
 static const struct compared {
     int width, height, small[2], large[2], thumb[2];
 } compared[] = {
@@ -236,14 +235,13 @@ static int open_thumbs(struct gallery *gallery, uint32_t index, const int tile[2
                              (uint32_t)(SHEET_WIDTH / tile[0]));
 }
 
-/* Compares `sheet` with the golden sheet `name`, or writes the golden sheet if `keeps` is true.
- * Returns 1 if all pictures are as they must be. */
-static int judge(const struct gallery *gallery, const struct golden_sheet *sheet, const char *name,
-                 bool keeps)
+/* Compares `sheet` with the golden sheet `name`, or writes the golden sheet if the gallery keeps
+ * new sheets. Returns 1 if all pictures are as they must be. */
+static int judge(const struct gallery *gallery, const struct golden_sheet *sheet, const char *name)
 {
     char path[512];
     snprintf(path, sizeof path, "%s/%s.png", gallery->golden, name);
-    if (!keeps) {
+    if (!gallery->keeps) {
         return golden_sheet_compare(sheet, path) == 0;
     }
     printf("%s: %u pictures, kept\n", path, sheet->count);
@@ -277,11 +275,8 @@ static int compare_size(struct ui *ui, struct gallery *gallery, uint32_t index)
     }
     snprintf(path, sizeof path, "%s/ui-%dx%d.png", gallery->out, size->width, size->height);
     all &= golden_sheet_write(&large, path);
-    printf("%dx%d: ", size->width, size->height);
-    const bool is_shared = size->width == 1920;
-    snprintf(name, sizeof name, "ui-%dx%d", is_shared ? compared[0].width : size->width,
-             is_shared ? compared[0].height : size->height);
-    all &= judge(gallery, &small, name, gallery->keeps && !is_shared);
+    snprintf(name, sizeof name, "ui-%dx%d", size->width, size->height);
+    all &= judge(gallery, &small, name);
     golden_sheet_close(&large);
     golden_sheet_close(&small);
     return all;
@@ -313,7 +308,7 @@ static int compare_scenes(struct gallery *gallery, char **paths, uint32_t count)
         golden_sheet_add(thumbs, name, picture, width, height);
         stbi_image_free(picture);
     }
-    all &= judge(gallery, &small, "scenes", gallery->keeps);
+    all &= judge(gallery, &small, "scenes");
     golden_sheet_close(&small);
     return all;
 }

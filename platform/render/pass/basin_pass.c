@@ -46,10 +46,8 @@ enum basin_part {
 /* Number of cells of a wall from left to right, and from the water surface to the floor. */
 #define WALL_COLUMNS 24
 #define WALL_ROWS 6
-#define TEXT(number) #number
-#define GRID_DEFINE(name, number) "#define " name " " TEXT(number) "\n"
-#define FLOOR_DEFINES GRID_DEFINE("GRID_X", FLOOR_X) GRID_DEFINE("GRID_Z", FLOOR_Z)
-#define WALL_DEFINES GRID_DEFINE("WALL_COLUMNS", WALL_COLUMNS) GRID_DEFINE("WALL_ROWS", WALL_ROWS)
+#define FLOOR_DEFINES GL_DEFINE("GRID_X", FLOOR_X) GL_DEFINE("GRID_Z", FLOOR_Z)
+#define WALL_DEFINES GL_DEFINE("WALL_COLUMNS", WALL_COLUMNS) GL_DEFINE("WALL_ROWS", WALL_ROWS)
 /* Slope of the water surface that a value of 1 in the scene's `slope` array means. */
 #define SLOPE_UNIT (1.0f / 508.0f)
 /* Number of ticks after which the animation of the wind waves restarts at time 0, so that the

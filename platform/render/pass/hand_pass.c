@@ -79,21 +79,11 @@ void hand_frames_of(struct hand_frames *out, const struct scene *scene, const st
                    (HAND_SLEEVE_END_Z - HAND_CUFF_Z);
 }
 
-/* Returns the point of the picture at which the camera shows `p`: to the right (x) and up (y), and
- * the length in the picture of one metre at this point (z). */
-static vec3 place_in_picture(const struct view *view, vec3 p)
-{
-    const struct basis axes = view_basis(view);
-    const vec3 ray = v3_sub(p, view->eye_m);
-    const float deep = f_max(0.0f - v3_dot(ray, axes.back), 0.01f);
-    return v3(v3_dot(ray, axes.right) / deep, v3_dot(ray, axes.up) / deep, 1.0f / deep);
-}
-
 /* Returns true if the picture of an arm may overlap the paper of `poi`. */
 static bool may_cover(const struct scene *scene, const struct hand_frames *frames,
                       const struct scene_poi *poi)
 {
-    const vec3 paper = place_in_picture(&scene->view, poi->position_m);
+    const vec3 paper = view_project(&scene->view, poi->position_m);
     vec3 last = paper;
     float last_half = 0.0f;
     for (uint32_t i = 0; i <= ARM_PARTS; i++) {
@@ -103,7 +93,7 @@ static bool may_cover(const struct scene *scene, const struct hand_frames *frame
         const vec3 p =
             v3(m[0] * HAND_WRIST_X + m[8] * z + m[12], m[1] * HAND_WRIST_X + m[9] * z + m[13],
                m[2] * HAND_WRIST_X + m[10] * z + m[14]);
-        const vec3 at = place_in_picture(&scene->view, p);
+        const vec3 at = view_project(&scene->view, p);
         const vec3 from = i > 0 ? last : at;
         const vec3 along = v3(at.x - from.x, at.y - from.y, 0.0f);
         const vec3 there = v3(paper.x - from.x, paper.y - from.y, 0.0f);

@@ -12,8 +12,6 @@
 #define BUBBLE_COUNT 72
 /* Number of straight parts of the hose from the air stone over the rim to the counter. */
 #define HOSE_PARTS 12
-#define TEXT(number) #number
-#define HOSE_DEFINE(number) "#define HOSE_PARTS " TEXT(number) "\n"
 /* Maximum number of drops per poi. DROPS_LOOSE drops detach one at a time, and DROPS_STREAM drops
  * form streams of water. From a poi 4 cm above the water, half of the drops of the streams fall at
  * any time, and the others wait. DROPS_LOOSE must equal LOOSE in drip.vert.glsl. */
@@ -104,7 +102,7 @@ static void draw_fan_faces(struct gl_status *status, struct quad_pass *pass,
 void quad_pass_open(struct gl_status *status, struct quad_pass *pass,
                     const struct textures *textures)
 {
-    pass->bubble_program = gl_program(status, "air stone", HOSE_DEFINE(HOSE_PARTS),
+    pass->bubble_program = gl_program(status, "air stone", GL_DEFINE("HOSE_PARTS", HOSE_PARTS),
                                       shader_bubble_vert, shader_bubble_frag, "");
     pass->stone = glGetUniformLocation(pass->bubble_program, "stone");
     pass->drip_program = gl_program(status, "drops", "", shader_drip_vert, shader_drip_frag, "");

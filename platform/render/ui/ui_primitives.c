@@ -65,14 +65,11 @@ float ui_pulse(float time_s, float period_s)
 struct ui_point ui_project(const struct ui_frame *frame, vec3 at_m)
 {
     const struct view *const view = &frame->scene->view;
+    const vec3 seen = view_project(view, at_m);
     const float half_px = 0.5f * frame->height;
-    const struct basis axes = view_basis(view);
-    const vec3 seen = v3_sub(at_m, view->eye_m);
-    const float away_m = fmaxf(-v3_dot(seen, axes.back), 0.01f);
-    const float px_per_m =
-        half_px / (away_m * view_half_height_tan(view, frame->width / frame->height));
-    return (struct ui_point){ 0.5f * frame->width + v3_dot(seen, axes.right) * px_per_m,
-                              half_px - v3_dot(seen, axes.up) * px_per_m, px_per_m };
+    const float scale_px = half_px / view_half_height_tan(view, frame->width / frame->height);
+    return (struct ui_point){ 0.5f * frame->width + seen.x * scale_px, half_px - seen.y * scale_px,
+                              seen.z * scale_px };
 }
 
 const char *ui_words(const struct ui_frame *frame, enum text_key key)
