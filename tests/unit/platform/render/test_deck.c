@@ -165,9 +165,9 @@ static void test_the_kept_picture_shows_all_that_the_camera_of_a_round_sees(void
     for (uint32_t i = 1; i < POI_MAX; i++) {
         scene.bowl[i].present = 0;
     }
-    for (uint8_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
+    for (uint32_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
         for (uint32_t i = 0; i < sizeof sizes_px / sizeof *sizes_px; i++) {
-            play_round(preset, sizes_px[i][0], sizes_px[i][1]);
+            play_round((uint8_t)preset, sizes_px[i][0], sizes_px[i][1]);
         }
     }
 }
