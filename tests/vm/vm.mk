@@ -42,7 +42,7 @@ test-firmware:
 	$(MAKE) --no-print-directory BOARD=vm image && BUILD=$(BUILD) tests/vm/image/test-firmware.sh
 
 update_card = $(filter rpi4,$(BOARD))
-## test/test-update: Update a disk from USB sticks; BOARD=rpi4, COUNT=200 cuts, SEED=1
+## test/test-update: Update a disk from USB sticks; BOARD=rpi4, PARTS=..., COUNT=200 cuts
 test-update:
 	@board/setup.sh test
 	@tests/vm/ready.sh $(if $(update_card),arm64,bookworm); case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \

@@ -102,3 +102,20 @@ qemu_words() { # The machine has 2 processors and 1 GiB, as in tests/vm/qemu.sh.
     disk_words
 }
 [ -z "$CARD" ] || . "$here/board/virt.sh"
+
+# Defines qemu_words again, for a machine without a screen, in which nothing is drawn.
+remove_screen() {
+    eval "with_screen_$(declare -f qemu_words)"
+    qemu_words() {
+        with_screen_qemu_words | awk '$0 == "-device" { held = 1; next }
+            held { held = 0; if (/virtio-gpu/) next; print "-device" }
+            { print }'
+    }
+}
+
+# The kiosk of a card waits for a screen. Without a screen, this wait ends after a second. Call after make_share.
+expect_no_screen() {
+    if [ -n "$CARD" ]; then
+        printf '[Unit]\nJobRunningTimeoutSec=1s\n' >"$share/units/dev-kingyo-screen.device.d/95-no-screen.conf"
+    fi
+}

@@ -4,6 +4,8 @@
 #
 # The update is a system that does not open a kiosk, so that the machine must return to the old one. All writes of the
 # update are logged; the power is then cut after each entry of the log (COUNT cuts, drawn by SEED), on copies of the disk.
+# A second system (part failing) is complete, but its kiosk exits or never shows a picture, so that the machine must return again.
+# PARTS=sticks or PARTS=failing runs one of these two parts. Checks of the other are printed as not run.
 # Exit code 0 if every line of update_checks.txt passed, otherwise 1.
 # shellcheck disable=SC2154,SC1091,SC2034  # the sourced files set and use these variables
 export BUILD=${BUILD:-build}
@@ -13,7 +15,7 @@ target=${CARD:-vm} other=rpi4 console=ttyS0 limit_s=${VM_SECONDS:-1800}
 [ -z "$CARD" ] || other=vm console=ttyAMA0 limit_s=${VM_SECONDS:-7200}
 cuts=${COUNT:-200} seed=${SEED:-1}
 disk=$cache/disk.img # A later start has the disk of the start before.
-key=$BUILD/vm/update.key log=$cache/writes.log plugged='' plug_count=0
+key=$BUILD/vm/update.key log=$cache/writes.log plugged='' plug_count=0 faults=''
 trap guest_stop EXIT
 trap 'exit 130' INT
 trap 'exit 143' TERM HUP
@@ -24,13 +26,7 @@ disk_words() { # All writes are logged. The machine has a USB controller, but no
         -device virtio-blk-pci,drive=disk,write-cache=on
 }
 
-eval "with_screen_$(declare -f qemu_words)"
-qemu_words() {
-    with_screen_qemu_words | awk '$0 == "-device" { held = 1; next }
-        held { held = 0; if (/virtio-gpu/) next; print "-device" }
-        { print }'
-}
-
+remove_screen
 # ---- Packages and sticks
 
 make_system() { # FILE: a system that prints a line and restarts, with room for many chunks
@@ -107,15 +103,22 @@ heard() { # Handles one line from the guest.
 
 # ---- Starts and power cuts
 
+# The time limits of the kiosk and of the end of the trial are those of the product.
+share_limits() { # PASS
+    [ "$1" = exits ] || : >"$share/no-frames"
+    sed -i 's/^TimeoutStartSec=.*/TimeoutStartSec=60s/' "$share/units/kingyo.service.d/test.conf"
+    mkdir -p "$share/units/kingyo-slot-good.service.d"
+    printf '[Service]\nTimeoutStartSec=5min\n' >"$share/units/kingyo-slot-good.service.d/90-limit.conf"
+}
+
 boot() { # PASS
     make_share update
     echo "$1" >"$share/pass"
     echo "$faults" >"$share/faults"
     : >"$log"
     plugged=''
-    if [ -n "$CARD" ]; then # The kiosk of a card waits for a screen, which this machine does not have.
-        printf '[Unit]\nJobRunningTimeoutSec=1s\n' >"$share/units/dev-kingyo-screen.device.d/95-no-screen.conf"
-    fi
+    case $1 in exits | no-frames) share_limits "$1" ;; esac
+    expect_no_screen
     step "boot the disk: $1"
     guest_start "$limit_s" || true
     guest_listen
@@ -174,38 +177,88 @@ cut_all() {
 
 trial_start() { # ID
     boot "$1"
-    line=$(grep -ao 'kingyo-test: slot .' "$run/console" | tail -1)
+    line=$(grep -ao 'kingyo-test: slot .' "$run/console" | tail -1) || :
     passes "$1" "${line:-no line of the new system}" -- [ "$line" = 'kingyo-test: slot b' ]
 }
 
-# Puts the system of slot a into slot b, on trial, as an update would.
-copy_system() {
-    local from to size slots
-    read -r from size < <(part_at root-a)
-    read -r to size < <(part_at root-b)
+# Writes a system to slot b, on trial, as an update would.
+put_system() { # FILE
+    local to slots
+    read -r to _ < <(part_at root-b)
     read -r slots _ < <(part_at slots)
-    dd if="$disk" of="$disk" bs=512 skip="$from" seek="$to" count="$size" conv=notrunc status=none
+    dd if="$1" of="$disk" bs=1M oflag=seek_bytes seek=$((to * 512)) conv=notrunc status=none
     part slots "$disk" "$cache/trial.slots"
     slots_write "$cache/trial.slots" a b 2
     dd if="$cache/trial.slots" of="$disk" bs=512 seek="$slots" conv=notrunc status=none
 }
 
-checks=$here/image/update_checks.txt
+# Makes the system of the image with another kiosk: one that exits, or that runs without a picture (share/no-frames).
+make_failing() { # FILE
+    local root=$cache/failing
+    rm -rf "$root" "$1"
+    unsquashfs -quiet -no-progress -d "$root" "$image/root.sqfs" >/dev/null
+    printf '%s\n' '#!/bin/sh' 'echo "slot $(cat /run/kingyo-slot)" >>/run/host/out/failing' \
+        '[ ! -e /run/host/no-frames ] || exec sleep 1000' 'exit 1' >"$root/usr/bin/kingyo"
+    mksquashfs "$root" "$1" -noappend -quiet -no-progress -comp \
+        "$(unsquashfs -s "$image/root.sqfs" | sed -n 's/^Compression //p')" >/dev/null
+    rm -rf "$root"
+}
+
+# Starts the failing system. Its unit kingyo-slot-good must restart the machine after its time limit, which the emulator
+# does not extend here.
+failing_start() { # ID STARTS that remain
+    local began=$SECONDS lines state
+    boot "$1"
+    part slots "$disk" "$cache/trial.slots"
+    slots_read "$cache/trial.slots" && state="good $good, trial $trial, starts left $starts"
+    lines=$(grep -cx 'slot b' "$share/out/failing" || :)
+    passes "$1" "$lines starts of the kiosk, restart after $((SECONDS - began)) s; ${state:-no state}" -- \
+        [ "$qemu_status" -eq 0 -a "$lines" -gt 0 -a "${state:-}" = "good a, trial b, starts left $2" ]
+}
+
+check_takings() {
+    local coins
+    coins=$(sqlite3 "$share/out/kept/kingyo.db" 'SELECT coalesce(sum(count), 0) FROM entries WHERE kind = 2' 2>&1 | head -1) || :
+    passes takings "coins in the database: $coins of 4" -- [ "$coins" = 4 ]
+}
+
+# Updates from sticks, cuts the power after each write, and starts a system that only restarts.
+part_sticks() {
+    make_sticks
+    cp --sparse=always "$disk" "$cache/before.img"
+    boot first
+    passes restarts "qemu ended with $qemu_status" -- [ "$qemu_status" -eq 0 ]
+    step 'cut the power after the writes of the update'
+    cut_all
+    trial_start trial-1
+    trial_start trial-2
+    boot fell-back
+}
+
+# Starts a complete system whose kiosk fails.
+part_failing() {
+    make_failing "$cache/failing.sqfs"
+    put_system "$cache/failing.sqfs"
+    rm "$cache/failing.sqfs"
+    failing_start exits 1
+    failing_start no-frames 0
+    boot returned
+    check_takings
+}
+
+parts=${PARTS:-sticks failing} checks=$run/checks.txt
+case "$parts " in 'sticks ' | 'failing ' | 'sticks failing ') ;; *) echo "test-update: there are no parts '$parts'" >&2; exit 2 ;; esac
 make_test_initrd
-make_sticks
 fresh_disk
-cp --sparse=always "$disk" "$cache/before.img"
-boot first
-passes restarts "qemu ended with $qemu_status" -- [ "$qemu_status" -eq 0 ]
-step 'cut the power after the writes of the update'
-cut_all
-trial_start trial-1
-trial_start trial-2
-boot again
-copy_system
+case $parts in sticks*) part_sticks ;; *) boot coins ;; esac
+case $parts in *failing) part_failing ;; esac
+put_system "$image/root.sqfs"
 boot good
-coins=$(sqlite3 "$share/out/kept/kingyo.db" 'SELECT coalesce(sum(count), 0) FROM entries WHERE kind = 2' 2>&1 | head -1)
-passes takings "coins in the database: $coins of 4" -- [ "$coins" = 4 ]
+check_takings
 [ ! -s "$share/out/journal" ] || cp "$share/out/journal" "$cache/journal-good"
+sed 's/^\([^ #]*\)  *[^ ]* */\1 /' "$here/image/update_checks.txt" >"$checks"
+while read -r id part _; do
+    case "# always $parts " in *" $part "*) ;; *) verdict[$id]=out ;; esac
+done < <(grep -v '^#' "$here/image/update_checks.txt")
 table "$checks" "the update of the disk of make image BOARD=$target" | tee "$cache/table.txt"
 exit "${PIPESTATUS[0]}"
