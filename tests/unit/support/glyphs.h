@@ -75,6 +75,59 @@ static inline float glyph_overflow_px(const struct ui_batch *batch, uint32_t qua
     return over;
 }
 
+/* Largest share of a letter that the box of another letter may cover. Neighbours in a word may
+ * touch. */
+#define GLYPH_COVERED_MAX 0.2f
+
+/* Returns true for a letter, and false for the outline that is drawn below a letter. */
+static inline bool glyph_is_filled(const struct ui_batch *batch, uint32_t quad)
+{
+    return batch->kinds[quad] == UI_GLYPH && batch->vertices[quad * 4u].fill[3] > 0;
+}
+
+/* Returns the area that two boxes share, as a share of the smaller box. */
+static inline float glyph_shared_area(const float a[4], const float b[4])
+{
+    const float width = fminf(a[2], b[2]) - fmaxf(a[0], b[0]);
+    const float height = fminf(a[3], b[3]) - fmaxf(a[1], b[1]);
+    const float least = fminf((a[2] - a[0]) * (a[3] - a[1]), (b[2] - b[0]) * (b[3] - b[1]));
+    return width > 0.0f && height > 0.0f && least > 0.0f ? width * height / least : 0.0f;
+}
+
+/* Returns true if a panel that was drawn between the letters `below` and `above` hides the letter
+ * `below`. */
+static inline bool glyph_is_hidden(const struct ui_batch *batch, uint32_t below, uint32_t above)
+{
+    float letter[4], box[4];
+    glyph_box(batch, below, letter);
+    for (uint32_t i = below + 1u; i < above; i++) {
+        glyph_box(batch, i, box);
+        if (batch->kinds[i] == UI_PANEL && batch->vertices[i * 4u].fill[3] > 0x90u &&
+            box[0] <= letter[0] && box[1] <= letter[1] && box[2] >= letter[2] &&
+            box[3] >= letter[3]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Returns the first letter that lies on another visible letter, and writes the shared area to
+ * `share`. Returns the number of quads if there is no such letter. */
+static inline uint32_t glyph_find_covered(const struct ui_batch *batch, float *share)
+{
+    static float boxes[UI_QUADS_MAX][4];
+    for (uint32_t i = 0; i < batch->quad_count; i++) {
+        glyph_box(batch, i, boxes[i]);
+        for (uint32_t j = 0; j + 1u < i && glyph_is_filled(batch, i); j++) {
+            *share = glyph_is_filled(batch, j) ? glyph_shared_area(boxes[i], boxes[j]) : 0.0f;
+            if (*share > GLYPH_COVERED_MAX && !glyph_is_hidden(batch, j, i)) {
+                return i;
+            }
+        }
+    }
+    return batch->quad_count;
+}
+
 /* Returns the font size in pixels at which a letter is drawn, or 0 if the quad `quad` of `batch` is
  * not a letter. The texture coordinates of the quad identify its font. */
 static inline float glyph_em_px(const struct ui_batch *batch, uint32_t quad)

@@ -221,6 +221,7 @@ static void bars(const struct ui_frame *frame, struct ui_box box, enum text_key 
     const struct ui_text label = ui_body(frame, 22.0f, UI_INK_SOFT);
     const uint32_t *const audit = frame->scene->menu.audit + first;
     uint32_t most = 1;
+    bool has_value = false;
     char words[NUMBER_SIZE];
     for (uint32_t i = 0; i < count; i++) {
         most = audit[i] > most ? audit[i] : most;
@@ -234,9 +235,9 @@ static void bars(const struct ui_frame *frame, struct ui_box box, enum text_key 
                      (struct ui_box){ x - 0.34f * pitch, base - height, 0.68f * pitch, height },
                      3.0f * u, 0.0f, BAR_PAINT, 0);
         }
-        /* The value of a bar is written only at the highest bar, or at all highest bars if several
-         * are equal. */
-        if (audit[i] == most) {
+        /* The value of a bar is written only at the first of the highest bars. */
+        if (audit[i] == most && !has_value) {
+            has_value = true;
             write_count(words, audit[i]);
             ui_words_at(frame, x, base - height - 18.0f * u, 3.0f * pitch, 0.5f,
                         ui_body(frame, 22.0f, UI_INK), words);

@@ -147,54 +147,12 @@ static void test_every_text_is_readable_from_its_distance(void **state)
 
 /* ---- Overlap and overflow -------------------------------------------------------------------- */
 
-/* Largest share of a letter that the box of another letter may cover. Neighbours in a word may
- * touch. */
-#define COVERED_MAX 0.2f
-
-/* Returns true for a letter, and false for the outline that is drawn below a letter. */
-static bool is_letter(uint32_t quad)
-{
-    return batch.kinds[quad] == UI_GLYPH && batch.vertices[quad * 4u].fill[3] > 0;
-}
-
-static float covered_share(const float a[4], const float b[4])
-{
-    const float width = fminf(a[2], b[2]) - fmaxf(a[0], b[0]);
-    const float height = fminf(a[3], b[3]) - fmaxf(a[1], b[1]);
-    const float least = fminf((a[2] - a[0]) * (a[3] - a[1]), (b[2] - b[0]) * (b[3] - b[1]));
-    return width > 0.0f && height > 0.0f && least > 0.0f ? width * height / least : 0.0f;
-}
-
-/* Returns true if a panel that was drawn between the letters `below` and `above` hides the letter
- * `below`. */
-static bool is_hidden(uint32_t below, uint32_t above, const float letter[4])
-{
-    for (uint32_t i = below + 1u; i < above; i++) {
-        float box[4];
-        glyph_box(&batch, i, box);
-        if (batch.kinds[i] == UI_PANEL && batch.vertices[i * 4u].fill[3] > 0x90u &&
-            box[0] <= letter[0] && box[1] <= letter[1] && box[2] >= letter[2] &&
-            box[3] >= letter[3]) {
-            return true;
-        }
-    }
-    return false;
-}
-
 static void check_no_letter_on_another(const struct laid_out *at)
 {
-    static float boxes[UI_QUADS_MAX][4];
-    for (uint32_t i = 0; i < batch.quad_count; i++) {
-        glyph_box(&batch, i, boxes[i]);
-        for (uint32_t j = 0; j < i && is_letter(i); j++) {
-            if (!is_letter(j) || j + 1u == i) {
-                continue;
-            }
-            const float covered = covered_share(boxes[i], boxes[j]);
-            if (covered > COVERED_MAX && !is_hidden(j, i, boxes[j])) {
-                fail_at(at, i, "is covered by another letter to a share of", covered);
-            }
-        }
+    float share = 0.0f;
+    const uint32_t quad = glyph_find_covered(&batch, &share);
+    if (quad < batch.quad_count) {
+        fail_at(at, quad, "is covered by another letter to a share of", share);
     }
 }
 

@@ -10,6 +10,7 @@
 #include "core/game/lab/lab.h"
 #include "platform/render/textures.h"
 #include "platform/render/ui/ui_screens.h"
+#include "tests/unit/support/glyphs.h"
 
 #define ROUNDING_PX 0.6f
 
@@ -52,6 +53,15 @@ static void check_inside(float width, float height)
 {
     assert_int_equal(batch.dropped_count, 0);
     assert_int_equal(batch.unbaked_count, 0);
+    float share = 0.0f;
+    const uint32_t covered = glyph_find_covered(&batch, &share);
+    if (covered < batch.quad_count) {
+        const struct ui_vertex *v = &batch.vertices[covered * 4u];
+        fail_msg(
+            "%gx%g species %u language %d: the letter at %.1f, %.1f is covered to a share of %.2f",
+            (double)width, (double)height, core.game.lab.species, scene.language, (double)v->x,
+            (double)v->y, (double)share);
+    }
     for (uint32_t i = 0; i < batch.quad_count * 4u; i++) {
         const struct ui_vertex *v = &batch.vertices[i];
         const int lights = batch.kinds[i / 4u] == UI_GLOW;

@@ -157,6 +157,28 @@ static void test_every_menu_page_fits_the_screen(void **state)
     }
 }
 
+/* Every text has its greatest length, and each counter the value of nine years. */
+static void test_no_letter_of_the_menu_lies_on_another(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < SIZE_COUNT * MENU_PAGE_COUNT * LANGUAGE_COUNT; k++) {
+        const uint32_t size = k % SIZE_COUNT;
+        const uint8_t page = (uint8_t)(k / SIZE_COUNT % MENU_PAGE_COUNT);
+        const uint32_t all = (1u << menu_tag_count(page, false)) - 1u;
+        float share = 0.0f, box[4];
+        set_page(page, (uint16_t)all, (uint8_t)(k / (SIZE_COUNT * MENU_PAGE_COUNT)),
+                 is_upright(size));
+        lay_out(size);
+        const uint32_t quad = glyph_find_covered(&batch, &share);
+        if (quad < batch.quad_count) {
+            glyph_box(&batch, quad, box);
+            fail_msg("page %d language %d on %gx%g: the letter at %.0f,%.0f is covered to %.2f",
+                     page, scene.language, (double)sizes[size].width, (double)sizes[size].height,
+                     (double)box[0], (double)box[1], (double)share);
+        }
+    }
+}
+
 /* A 24-inch screen is 30 cm high, so a letter of 2.4 % of this height is 7 mm high, which is 25 arc
  * minutes seen from 1 m. The device name is short, because long names are drawn smaller. The
  * letters on the test card are not text. */
@@ -666,6 +688,7 @@ int main(void)
         cmocka_unit_test(test_a_changed_setting_has_a_seal_on_its_own_page_too),
         cmocka_unit_test(test_the_opening_checklist_fits_its_page_in_every_state),
         cmocka_unit_test(test_every_menu_page_fits_the_screen),
+        cmocka_unit_test(test_no_letter_of_the_menu_lies_on_another),
         cmocka_unit_test(test_every_line_of_the_update_page_fits_and_is_readable),
         cmocka_unit_test(test_every_menu_word_is_readable_from_one_metre),
         cmocka_unit_test(test_a_setting_shows_its_range_and_unit),
