@@ -45,7 +45,7 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
             const float d2 = dx * dx + dy * dy + dz * dz;
             /* Small waves, which the picture of the slopes lacks, draw a reflection out toward the
              * viewer into a thin streak. */
-            const float streak = dx * dx * 3400.0f + (dy * dy + dz * dz) * 500.0f;
+            const float streak = dx * dx * 2600.0f + (dy * dy + dz * dz) * 80.0f;
             const struct colour light = noise_hash01(i, 7, row) < 0.35f ? red : paper;
             glow(at, light, 1.1f * expf(-streak));
             glow(at, light, 0.10f * expf(-d2 * 40.0f));

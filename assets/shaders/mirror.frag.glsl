@@ -14,9 +14,13 @@ const float SHEEN = 0.10; // Brightness of the glow of the fair in the sky, whic
 void main()
 {
     vec4 slopes_here = texture(slopes, grid); // As in struct basin_pass.
-    vec2 slope = slopes_here.rg;
+    // The lanterns are in front of the player, who may stand at the short side of the tank. The
+    // slope to the side counts less, so that a reflection stretches toward the viewer and does not
+    // break into hooks.
+    vec2 slope = from_world(slopes_here.ba);
     vec3 view = normalize(eye.xyz - world);
-    vec3 normal = normalize(vec3(-slope.x * 1.5, 1.0, -slope.y * 1.5));
+    view.xz = from_world(view.xz);
+    vec3 normal = normalize(vec3(-slope.x * 0.6, 1.0, -slope.y * 1.5));
     float facing = dot(normal, view);
     vec3 mirror = 2.0 * facing * normal - view;
     float away = 1.0 - facing;
@@ -24,22 +28,20 @@ void main()
     float fresnel = 0.02 + 0.98 * away2 * away2 * away;
     // The lanterns are only about two metres away, so that their reflections move with the position
     // on the water.
-    // The lanterns are in front of the player, who may stand at the short side of the tank.
-    mirror.xz = from_world(mirror.xz);
     vec3 toward = mirror + vec3(from_world(world.xz), world.y).xzy * 0.55;
     vec2 night = texture(environment, toward.xz / (length(toward) + toward.y) * 0.5 + 0.5).rb;
-    // A lantern is brighter than the maximum of a texel. Its reflection fades over a wide edge, and
-    // keeps the colour of the paper up to its middle.
-    float core = smoothstep(0.30, 1.0, night.r);
+    // A lantern is brighter than the maximum of a texel. The fourth power makes its reflection
+    // fade over a wide edge.
+    float core = max(night.r - 0.25, 0.0);
     float hot = core * core;
-    float lantern = (0.10 * core + 6.0 * hot * core) * (0.5 + 3.0 * fresnel) * water_tint.w;
+    float lantern = hot * (0.5 + 6.0 * hot) * (1.0 + 5.0 * fresnel) * water_tint.w;
     float glint = max(dot(mirror, vec3(0.100, 0.619, -0.779)), 0.0);
     // The bulb is small, so that a flat part of the water does not show it as a cloud.
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     glint *= glint; glint *= glint; glint *= glint;
     float lit = 1.0 - shade_above(world);      // A fan also hides the lamps from the water.
-    vec2 light = vec2(1.0, night.y + 0.20 * hot * hot) * (lantern * lit)
+    vec2 light = vec2(1.0, night.y + 0.18 * hot) * (lantern * lit)
         + (night * fresnel + SHEEN * away2) * sky_glow.xy + vec2(2.6, 1.2) * (glint * lit);
     // Soft knee for both colours by the brighter one, so that a bright reflection keeps its colour.
     light /= 1.0 + max(light.x, light.y);
