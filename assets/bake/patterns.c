@@ -24,7 +24,7 @@ struct patch {
 
 struct design {
     float base; /* Redness of the skin outside the patches. 1 makes this skin red, and 0 leaves
-                     this skin white. */
+                     this skin white. Values between them make washed red. */
     /* Height on the flanks below which the skin stays white. 0 is the belly, 1 is the back. */
     float belly;
     float ragged; /* Strength of the noise that deforms the edges of patches. */
@@ -42,12 +42,13 @@ static const struct design designs[PATTERN_LAYERS] = {
     { .base = 1.0f, .belly = 0.36f, .ragged = 0.06f, .soft = 0.22f },
     /* Pattern "pale flanks": only the back is red. */
     { .base = 1.0f, .belly = 0.58f, .ragged = 0.10f, .soft = 0.26f },
-    /* Pattern "washed": red, and paler toward the tail. */
-    { 0.0f, 0.30f, 0.12f, 0.24f,
-      { { 0.20f, 0.0f, 0.46f, 0.60f }, { 0.62f, 0.02f, 0.22f, 0.26f } } },
-    /* Pattern "saddle": red, with white around the middle of the body. */
-    { 0.0f, 0.22f, 0.24f, 0.30f,
-      { { 0.10f, 0.06f, 0.34f, 0.60f }, { 0.84f, 0.94f, 0.28f, 0.60f } } },
+    /* Pattern "washed": red, and paler toward the tail, without an edge. */
+    { 0.50f, 0.26f, 0.12f, 0.40f,
+      { { 0.16f, 0.0f, 0.46f, 0.60f }, { 0.70f, 0.02f, 0.34f, 0.30f } } },
+    /* Pattern "washed flank": red head, back and tail, and one flank that is paler up to the back
+     * behind the gill cover. No pale band runs round the body. */
+    { 0.12f, 0.24f, 0.20f, 0.30f,
+      { { 0.08f, 0.0f, 0.28f, 0.60f }, { 0.52f, 0.91f, 0.60f, 0.27f }, { 0.98f, 0.0f, 0.22f, 0.60f } } },
     /* Pattern "blotches": white, with one washed patch of red on the left of the back. */
     { 0.0f, 0.14f, 0.26f, 0.30f,
       { { 0.34f, 0.88f, 0.30f, 0.26f }, { 0.56f, 0.92f, 0.20f, 0.20f } } },
@@ -90,14 +91,13 @@ static float redness(uint32_t layer, float u, float v)
         noise_2d_sum(u * 5.0f + 0.5f, v * 5.0f, 64, 5, 100u + layer * 8u, 3) - 0.5f;
     const float fine = noise_2d_sum(u * 19.0f, v * 16.0f, 64, 16, 104u + layer * 8u, 2) - 0.5f;
     const float edge = design->ragged * (2.2f * coarse + 0.55f * fine);
-    float depth = fmaxf(patch_depth(design, u, v), design->base > 0.0f ? 0.5f : -1.0f) + edge;
+    const float patches = noise_ramp(-design->soft, design->soft, patch_depth(design, u, v) + edge);
     /* `from_belly` is the height of the point on the flank: 0 is the belly, and 1 is the back. */
     const float from_belly = fabsf(round_distance(v, 0.5f)) / GIRTH * 2.0f;
-    depth = fminf(depth, (from_belly - design->belly) * 2.0f + 0.6f * edge);
-    if (design->belly <= 0.0f) {
-        depth = fmaxf(depth, design->base - 0.5f);
-    }
-    return noise_ramp(-design->soft, design->soft, depth);
+    const float height = (from_belly - design->belly) * 2.0f + 0.6f * edge;
+    const float above =
+        design->belly > 0.0f ? noise_ramp(-design->soft, design->soft, height) : 1.0f;
+    return noise_mix(design->base, 1.0f, patches) * above;
 }
 
 /* Returns the brightness of a scale at a point of the skin. The scales overlap toward the tail. A
