@@ -10,7 +10,6 @@ out float whole;    // Visibility of the bubble, from 1 to 0 when it bursts.
 
 const float HOSE_M = 0.0030; // Radius of the hose.
 const float STONE_M = 0.011;
-const int HOSE_OVER = 8;       // Parts of the hose from the stone over the rim to the counter.
 const float RISES_M_S = 0.24;
 const float FLOATS_S = 0.55;
 
@@ -26,22 +25,29 @@ vec3 bezier(vec3 a, vec3 b, vec3 c, vec3 d, float t)
     return (s * s * s) * a + (3.0 * s * s * t) * b + (3.0 * s * t * t) * c + (t * t * t) * d;
 }
 
-// Returns point `part` of the hose, from 0 at the stone to HOSE_PARTS on the counter. The hose rises
-// from the stone, passes over the rim, and lies on the counter.
+// Returns point `part` of the hose, from 0 at the stone to HOSE_PARTS on the counter. The hose has
+// three curves of the same number of parts: from the stone to the top above the rim, down to the
+// counter, and along the counter. Each curve begins in the direction in which the curve before ends.
 vec3 hose(int part)
 {
+    const int CURVE = HOSE_PARTS / 3;
     float wall = -tank.x;
-    vec3 outside = vec3(wall - 0.066, 0.004, stone.z + 0.006);
-    if (part <= HOSE_OVER) {
-        return bezier(stone + vec3(0.0, 0.6 * STONE_M, 0.0), vec3(wall + 0.010, 0.0, stone.z),
-                      vec3(wall - 0.020, 2.1 * tank.w + 0.05, stone.z), outside,
-                      float(part) / float(HOSE_OVER));
+    // On a portrait screen the street is behind this wall, and the hose leads past the corner.
+    vec3 way = abs(shade_map.z) < 0.5 ? vec3(-0.05, 0.0, -1.0) : vec3(-1.0, 0.0, 0.25);
+    vec3 top = vec3(wall - 0.022, tank.w + 0.022, stone.z);
+    vec3 land = top + 0.16 * way;
+    land.y = -0.008;
+    if (part <= CURVE) {
+        vec3 foot = stone + vec3(0.0, 0.6 * STONE_M, 0.0);
+        return bezier(foot, vec3(wall + 0.012, 0.0, stone.z), top - 0.022 * way, top,
+                      float(part) / float(CURVE));
     }
-    // On a portrait screen the hose ends in front of the street.
-    float out_m = abs(shade_map.z) < 0.5 ? 0.080 : 0.9;
-    vec3 away = vec3(wall - out_m, -0.008, stone.z + 0.30 * out_m);
-    return bezier(outside, outside + vec3(-0.010, -0.014, 0.002), vec3(wall - 0.12, -0.008, stone.z),
-                  away, float(part - HOSE_OVER) / float(HOSE_PARTS - HOSE_OVER));
+    if (part <= 2 * CURVE) {
+        return bezier(top, top + 0.08 * way, land - 0.05 * way, land,
+                      float(part - CURVE) / float(CURVE));
+    }
+    return bezier(land, land + 0.05 * way, land + vec3(0.48 * way.x, 0.0, 0.9 * way.z),
+                  land + vec3(0.72 * way.x, 0.0, 1.2 * way.z), float(part - 2 * CURVE) / float(CURVE));
 }
 
 void hose_quad(int part)

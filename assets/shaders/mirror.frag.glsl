@@ -2,8 +2,10 @@
 // slopes. The water surface (water.frag.glsl) reads this picture. rg: square roots of the red and of
 // the blue of the reflected light. Its green is the product of the two roots, as in environment.c.
 // ba: slopes for the refraction, from -SEEN_SLOPE_MAX to SEEN_SLOPE_MAX.
-in vec3 world;
-in vec2 grid;
+in vec2 grid;    // As in water.vert.glsl.
+in vec2 shaded;
+in vec2 place;
+in vec3 view;
 uniform sampler2D slopes;
 uniform sampler2D environment;
 out vec4 color;
@@ -18,17 +20,16 @@ void main()
     // slope to the side counts less, so that a reflection stretches toward the viewer and does not
     // break into hooks.
     vec2 slope = from_world(slopes_here.ba);
-    vec3 view = normalize(eye.xyz - world);
-    view.xz = from_world(view.xz);
+    vec3 to_eye = normalize(view);
     vec3 normal = normalize(vec3(-slope.x * 0.6, 1.0, -slope.y * 1.5));
-    float facing = dot(normal, view);
-    vec3 mirror = 2.0 * facing * normal - view;
+    float facing = dot(normal, to_eye);
+    vec3 mirror = 2.0 * facing * normal - to_eye;
     float away = 1.0 - facing;
     float away2 = away * away;
     float fresnel = 0.02 + 0.98 * away2 * away2 * away;
     // The lanterns are only about two metres away, so that their reflections move with the position
     // on the water.
-    vec3 toward = mirror + vec3(from_world(world.xz), world.y).xzy * 0.55;
+    vec3 toward = mirror + vec3(place.x, 0.0, place.y) * 0.55;
     vec2 night = texture(environment, toward.xz / (length(toward) + toward.y) * 0.5 + 0.5).rb;
     // A lantern is brighter than the maximum of a texel. The fourth power makes its reflection
     // fade over a wide edge.
@@ -40,7 +41,7 @@ void main()
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     glint *= glint; glint *= glint; glint *= glint;
-    float lit = 1.0 - shade_above(world);      // A fan also hides the lamps from the water.
+    float lit = 1.0 - texture(shades, shaded).r; // A fan also hides the lamps from the water.
     vec2 light = vec2(1.0, night.y + 0.18 * hot) * (lantern * lit)
         + (night * fresnel + SHEEN * away2) * sky_glow.xy + vec2(2.6, 1.2) * (glint * lit);
     // Soft knee for both colours by the brighter one, so that a bright reflection keeps its colour.

@@ -19,7 +19,7 @@ void main()
     vec3 below = texture(ground, at).rgb * (1.0 - swims.a) + swims.rgb;
     // A wave that leans toward the lamps is brighter. A bright reflection outshines what is below it.
     vec3 light = surface.rrg * surface.rgg;
-    below *= (1.0 + 1.2 * (slope.x + slope.y)) * (1.0 - 0.7 * light.r);
+    below *= (1.0 + 1.2 * (slope.x + slope.y)) * (1.0 - 0.5 * light.r);
     below += light;
 #ifdef EDGE
     float edge = min(tank.x - abs(world.x), tank.z - abs(world.z));

@@ -10,8 +10,9 @@
 /* Maximum number of bubbles. At any time about a third of the bubbles have risen and float on the
  * surface. */
 #define BUBBLE_COUNT 72
-/* Number of straight parts of the hose from the air stone over the rim to the counter. */
-#define HOSE_PARTS 12
+/* Number of straight parts of the hose from the air stone over the rim to the counter, a multiple
+ * of 3 (bubble.vert.glsl). */
+#define HOSE_PARTS 30
 /* Maximum number of drops per poi. DROPS_LOOSE drops detach one at a time, and DROPS_STREAM drops
  * form streams of water. From a poi 4 cm above the water, half of the drops of the streams fall at
  * any time, and the others wait. DROPS_LOOSE must equal LOOSE in drip.vert.glsl. */
