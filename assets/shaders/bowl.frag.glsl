@@ -18,20 +18,24 @@ void main()
 void main()
 {
     // The water is clear. It shows only the reflection of the lamps, the dark night or the bright
-    // day between them, and a bright ring where it rises at the wall (the meniscus).
+    // day between them, and its edge at the wall (the meniscus): a bright ring in a darker one.
     float r = length(grid.xy);
-    vec2 ring = grid.xy * (0.05 * sin(r * 24.0 - eye.w * 5.0));
+    vec2 ring = grid.xy * (0.012 * sin(r * 15.0 - eye.w * 4.0));
     // The normal (ring.x, 1, ring.y) has almost the length 1.
     float shine = pow(max(light.z + dot(ring, light.xy), 0.0), 90.0);
     vec2 toward = left.xy - 2.0 * ring;
     vec2 night = texture(environment, toward * (0.5 / (1.0 + left.z)) + 0.5).rb;
-    float lamp = smoothstep(0.25, 0.85, night.r) * water_tint.w;
-    float wall = smoothstep(0.945, 0.985, r / form.z);
-    float alpha = 0.05 + light.w + 0.22 * wall;
+    // As in mirror.frag.glsl.
+    float core = max(night.r - 0.25, 0.0);
+    float lamp = min(1.8 * core * core, 1.0) * water_tint.w;
+    float edge = (r / form.z - 0.985) * 50.0;
+    float line = max(1.0 - edge * edge, 0.0);
+    float dark = clamp(edge * 0.3 + 1.5, 0.0, 1.0);
+    float alpha = 0.05 + light.w + 0.24 * dark * dark;
     vec3 sky = mix(vec3(0.10, 0.13, 0.20), vec3(0.85, 0.92, 0.95), evening.w * evening.w);
     vec3 warm = vec3(1.0, 0.35 + 0.45 * lamp, 0.10 + 0.45 * lamp * lamp);
     alpha = max(alpha, lamp * 0.85);
-    color = vec4(mix(sky, warm, lamp) * alpha + (shine * 0.3 + wall * 0.16) * grid.z, alpha);
+    color = vec4(mix(sky, warm, lamp) * alpha + (shine * 0.3 + line * 0.50) * grid.z, alpha);
 }
 #else
 void main()
@@ -49,7 +53,7 @@ void main()
     // The water in the bowl is shallow and clear. The enamel has a dark line right above the water.
     float drowned = clamp(grid.z, 0.0, 1.0);
     float caustic = texture(caustics, grid.xy).r;
-    tint *= mix(vec3(1.0), vec3(0.90, 0.97, 0.98) * (0.93 + 0.17 * caustic), drowned);
+    tint *= mix(vec3(1.0), vec3(0.94, 0.97, 0.97) * (0.93 + 0.17 * caustic), drowned);
     float line = abs(grid.z - 0.10) * 4.0;
     tint *= 1.0 - 0.28 * max(1.0 - line * line, 0.0);
     color = vec4(tint + shine, 1.0);
