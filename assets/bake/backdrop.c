@@ -1,5 +1,5 @@
 /* backdrop.c -- bakes the street behind the stall: strings of bulbs and lanterns, a stall with
- * striped cloth, the legs of passers-by, bags with goldfish, and the price sign of a neighbour.
+ * striped cloth, passers-by, bags with goldfish, and the price sign of a neighbour.
  *
  * The picture is out of focus like a photograph with a wide lens. Each layer is painted sharply in
  * linear light, far brighter than 1 where a lamp is. A disc of the layer's circle of confusion then
@@ -16,6 +16,8 @@
 
 #define WIDTH BACKDROP_WIDTH
 #define HEIGHT BACKDROP_HEIGHT
+/* Row of the soles of the passers-by. The far rim of the tank hides the lowest rows. */
+#define STREET_ROW 26.0f
 #define BRUSH "/usr/share/fonts/truetype/kouzan-mouhitsu/kouzan-mouhitsu.ttf"
 
 struct colour {
@@ -135,7 +137,7 @@ static void paint_street(const struct hour *hour)
             const struct colour air = is_night ? (struct colour){ 0.030f, 0.014f, 0.016f }
                                                : (struct colour){ 0.62f, 0.70f, 0.66f };
             const struct colour ground = lit(hour, 0.34f, 0.30f, 0.27f);
-            const float t = noise_ramp(0.03f, 0.13f, height);
+            const float t = noise_ramp(0.10f, 0.19f, height);
             const float glow = is_night ? 0.20f * low : 0.0f;
             const struct colour at = {
                 noise_mix(ground.r * (0.4f + uneven), air.r + glow, t),
@@ -148,8 +150,8 @@ static void paint_street(const struct hour *hour)
     static const float fronts[][2] = { { 105.0f, 92.0f }, { 905.0f, 100.0f }, { 452.0f, 66.0f } };
     for (uint32_t i = 0; i < 3; i++) {
         const struct sheet front = { .x = fronts[i][0],
-                                     .low = 24.0f,
-                                     .high = 58.0f,
+                                     .low = 38.0f,
+                                     .high = 72.0f,
                                      .half_low = fronts[i][1],
                                      .half_high = fronts[i][1],
                                      .stripe = 13.0f,
@@ -168,7 +170,7 @@ static void paint_lamps(const struct hour *hour)
         { 84.0f, 16.0f, 31.0f, 2.2f },
         { 128.0f, 26.0f, 17.0f, 6.5f },
         { 176.0f, 30.0f, 23.0f, 2.6f },
-        { 232.0f, 34.0f, 15.0f, 7.5f },
+        { 224.0f, 34.0f, 15.0f, 7.5f },
     };
     const bool is_day = hour == &day;
     for (uint32_t row = 0; row < sizeof rows / sizeof *rows; row++) {
@@ -192,7 +194,7 @@ static void paint_lamps(const struct hour *hour)
             const struct colour light = times(is_lantern ? paper : bulb, strength);
             paint_disc(&far_layer, at, rows[row][3], rows[row][3] * (is_lantern ? 1.25f : 1.0f),
                        light, 1.0f);
-            paint_disc(&far_layer, (struct point){ at.x, 10.0f }, 2.0f * rows[row][3], 9.0f,
+            paint_disc(&far_layer, (struct point){ at.x, 26.0f }, 2.0f * rows[row][3], 9.0f,
                        times(light, is_lantern ? 0.30f : 0.035f), 0.5f);
         }
     }
@@ -204,45 +206,73 @@ struct walker {
     struct colour cloth, stripe;
 };
 
+/* Paints the cotton robe of a passer-by with its sash and sleeves, and the head and the hands. Only a
+ * portrait screen shows more than the hem. */
+static void paint_yukata(const struct walker *walker, const struct hour *hour, uint32_t seed)
+{
+    const struct colour a = lit(hour, walker->cloth.r, walker->cloth.g, walker->cloth.b);
+    const struct colour b = lit(hour, walker->stripe.r, walker->stripe.g, walker->stripe.b);
+    const struct colour sash =
+        seed % 2 == 0 ? lit(hour, 0.80f, 0.55f, 0.14f) : lit(hour, 0.50f, 0.07f, 0.09f);
+    const struct colour skin = lit(hour, 0.85f, 0.52f, 0.36f);
+    const float x = walker->x, tall = walker->hem - 68.0f, hem = 15.0f + 0.4f * walker->step;
+    const struct sheet skirt = { x, walker->hem, 138.0f + tall, hem, 27.0f, 6.0f, a, b };
+    const struct sheet body = { x, 138.0f + tall, 190.0f + tall, 26.0f, 19.0f, 6.0f, a, b };
+    const struct sheet belt = { x, 130.0f + tall, 149.0f + tall, 26.5f, 26.0f, 1e3f, sash, sash };
+    const struct point neck = { x, 188.0f + tall }, face = { x + 2.0f, 210.0f + tall };
+    paint_limb(&people_layer, neck, face, 6.0f, 6.0f, skin);
+    paint_sheet(&people_layer, &skirt, seed);
+    paint_sheet(&people_layer, &body, seed);
+    paint_sheet(&people_layer, &belt, seed);
+    for (int32_t side = -1; side <= 1; side += 2) {
+        const struct point shoulder = { x + 17.0f * (float)side, 182.0f + tall };
+        const struct point wrist = { x + 33.0f * (float)side, 134.0f + tall };
+        const struct point fingers = { wrist.x, wrist.y - 15.0f };
+        paint_limb(&people_layer, wrist, fingers, 5.0f, 4.0f, skin);
+        paint_limb(&people_layer, shoulder, wrist, 9.0f, 11.0f, side < 0 ? a : b);
+    }
+    paint_disc(&people_layer, face, 12.0f, 15.0f, times(skin, 0.8f), 1.0f);
+    paint_disc(&people_layer, (struct point){ face.x - 3.0f, face.y + 6.0f }, 13.0f, 13.0f,
+               lit(hour, 0.05f, 0.035f, 0.03f), 1.0f);
+}
+
 static void paint_walker(const struct walker *walker, const struct hour *hour, uint32_t seed)
 {
     const struct colour skin = lit(hour, 0.85f, 0.52f, 0.36f);
-    const struct colour wood = lit(hour, 0.16f, 0.08f, 0.05f);
+    const struct colour wood = lit(hour, 0.60f, 0.34f, 0.18f);
+    const struct colour straw = lit(hour, 0.75f, 0.58f, 0.32f);
     for (int32_t side = -1; side <= 1; side += 2) {
-        const float foot = 11.0f + (side > 0 ? 4.0f : 0.0f);
-        const struct point hip = { walker->x + 8.0f * (float)side, walker->hem + 6.0f };
+        const float foot = STREET_ROW + (side > 0 ? 13.0f : 9.0f);
+        const struct point hip = { walker->x + 9.0f * (float)side, walker->hem + 6.0f };
         const struct point heel = { walker->x + walker->step * (float)side, foot };
-        const struct point toe = { heel.x + 7.0f, foot - 3.0f };
-        paint_limb(&people_layer, (struct point){ heel.x - 5.0f, foot - 5.0f },
-                   (struct point){ toe.x + 4.0f, toe.y - 3.0f }, 2.6f, 2.6f, wood);
-        paint_limb(&people_layer, hip, heel, 7.5f, 4.6f, skin);
-        paint_limb(&people_layer, heel, toe, 4.6f, 3.4f, skin);
-        paint_limb(&people_layer, (struct point){ heel.x + 2.0f, foot + 3.0f }, toe, 1.2f, 1.0f,
+        const struct point toe = { heel.x + 9.0f, foot - 2.5f };
+        const struct point back = { heel.x - 6.0f, foot - 5.5f },
+                           front = { toe.x + 5.0f, foot - 6.5f };
+        /* Wooden sandals stand on two teeth, and straw sandals lie flat. */
+        for (uint32_t tooth = 0; seed % 2 == 0 && tooth < 2; tooth++) {
+            const struct point top = { noise_mix(back.x, front.x, tooth == 0 ? 0.25f : 0.7f),
+                                       foot - 6.0f };
+            paint_limb(&people_layer, top, (struct point){ top.x, foot - 10.5f }, 2.0f, 2.0f, wood);
+        }
+        paint_limb(&people_layer, back, front, 2.4f, 2.4f, seed % 2 == 0 ? wood : straw);
+        paint_limb(&people_layer, hip, heel, 8.0f, 4.4f, skin);
+        paint_limb(&people_layer, heel, toe, 4.4f, 3.2f, skin);
+        paint_limb(&people_layer, (struct point){ heel.x + 2.0f, foot + 2.5f }, toe, 1.6f, 1.3f,
                    lit(hour, 0.9f, 0.08f, 0.06f));
     }
-    const struct colour cloth = walker->cloth, stripe = walker->stripe;
-    paint_sheet(&people_layer,
-                &(struct sheet){ .x = walker->x,
-                                 .low = walker->hem,
-                                 .high = (float)HEIGHT,
-                                 .half_low = 15.0f + 0.4f * walker->step,
-                                 .half_high = 30.0f,
-                                 .stripe = 6.0f,
-                                 .a = lit(hour, cloth.r, cloth.g, cloth.b),
-                                 .b = lit(hour, stripe.r, stripe.g, stripe.b) },
-                seed);
+    paint_yukata(walker, hour, seed);
 }
 
 static void paint_walkers(const struct hour *hour)
 {
     static const struct walker walkers[] = {
-        { 38.0f, 46.0f, 13.0f, { 0.10f, 0.13f, 0.42f }, { 0.14f, 0.18f, 0.52f } },
-        { 226.0f, 42.0f, 16.0f, { 0.62f, 0.10f, 0.22f }, { 0.82f, 0.30f, 0.36f } },
-        { 296.0f, 34.0f, 11.0f, { 0.85f, 0.80f, 0.72f }, { 0.25f, 0.34f, 0.66f } },
-        { 668.0f, 40.0f, 17.0f, { 0.08f, 0.10f, 0.26f }, { 0.11f, 0.14f, 0.36f } },
-        { 730.0f, 48.0f, 12.0f, { 0.80f, 0.66f, 0.40f }, { 0.72f, 0.16f, 0.12f } },
-        { 812.0f, 44.0f, 15.0f, { 0.16f, 0.34f, 0.28f }, { 0.22f, 0.44f, 0.36f } },
-        { 990.0f, 40.0f, 14.0f, { 0.56f, 0.14f, 0.34f }, { 0.70f, 0.24f, 0.44f } },
+        { 38.0f, 72.0f, 13.0f, { 0.10f, 0.13f, 0.42f }, { 0.14f, 0.18f, 0.52f } },
+        { 226.0f, 66.0f, 16.0f, { 0.62f, 0.10f, 0.22f }, { 0.82f, 0.30f, 0.36f } },
+        { 296.0f, 62.0f, 11.0f, { 0.85f, 0.80f, 0.72f }, { 0.25f, 0.34f, 0.66f } },
+        { 672.0f, 68.0f, 17.0f, { 0.08f, 0.10f, 0.26f }, { 0.11f, 0.14f, 0.36f } },
+        { 736.0f, 74.0f, 12.0f, { 0.80f, 0.66f, 0.40f }, { 0.72f, 0.16f, 0.12f } },
+        { 812.0f, 66.0f, 15.0f, { 0.16f, 0.34f, 0.28f }, { 0.22f, 0.44f, 0.36f } },
+        { 990.0f, 68.0f, 14.0f, { 0.56f, 0.14f, 0.34f }, { 0.70f, 0.24f, 0.44f } },
     };
     for (uint32_t i = 0; i < sizeof walkers / sizeof *walkers; i++) {
         paint_walker(&walkers[i], hour, 31 + i);
@@ -392,7 +422,7 @@ static void bake_hour(uint8_t *rgb8, const struct hour *hour)
     }
     paint_sign(hour);
     add_blurred(&picture, &far_layer, 8.5f);
-    add_blurred(&picture, &people_layer, 3.5f);
+    add_blurred(&picture, &people_layer, 2.4f);
     add_blurred(&picture, &near_layer, 1.2f);
     for (uint32_t y = 0; y < HEIGHT; y++) {
         for (uint32_t x = 0; x < WIDTH; x++) {

@@ -95,7 +95,7 @@ GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_te
                     desc->mipmaps ? GL_LINEAR_MIPMAP_NEAREST : magnify);
     glTexParameteri(kind, GL_TEXTURE_MAG_FILTER, magnify);
     glTexParameteri(kind, GL_TEXTURE_WRAP_S, edge);
-    glTexParameteri(kind, GL_TEXTURE_WRAP_T, edge);
+    glTexParameteri(kind, GL_TEXTURE_WRAP_T, edge == GL_MIRRORED_REPEAT ? GL_CLAMP_TO_EDGE : edge);
     const GLenum error = glGetError();
     if (error != GL_NO_ERROR) {
         gl_fail(status, "texture %s (%ux%u): OpenGL error 0x%x", name, desc->width, desc->height,

@@ -46,7 +46,8 @@ struct gl_texture_desc {
     const uint8_t *pixels; /* Initial texels. Null leaves the content undefined. */
     bool mipmaps;
     bool nearest; /* True for nearest filtering, the only filter that 32-bit floats support. */
-    GLenum wrap;  /* Wrap mode of the texture. 0 means GL_CLAMP_TO_EDGE. */
+    GLenum wrap;  /* Wrap mode of the texture. 0 means GL_CLAMP_TO_EDGE. GL_MIRRORED_REPEAT applies
+                     only to the rows. */
 };
 
 /* Creates a texture. If the size is larger than the driver supports, the failure message contains
