@@ -329,21 +329,36 @@ static void move_inside(vec3 *at_m, vec3 normal, vec3 eye_m, vec3 way, float lim
     }
 }
 
+/* Returns the width of the strip of water that may leave the picture at the wall in the horizontal
+ * direction `way`, which is parallel to an axis, while the poi is at `at_m`. */
+static float hidden_strip_m(vec3 tank_size_m, vec3 way, vec3 at_m)
+{
+    const float half_m = 0.5f * (f_abs(way.x) * tank_size_m.x + f_abs(way.z) * tank_size_m.z);
+    const float away_m = half_m - v3_dot(at_m, way);
+    return CAMERA_HIDDEN_M * f_smoothstep(CAMERA_HIDES_FROM_M, CAMERA_HIDES_TO_M, away_m);
+}
+
 /* Returns the share by which the camera `view` comes closer to a point, and moves the point
- * `*at_m`, which is the place of the poi, so that the whole water remains in the picture. If the
- * camera comes closer by a share, the distance of every object from a plane through the eye
- * decreases by this share of the point's distance from the plane. */
+ * `*at_m`, which is the place of the poi, so that the water remains in the picture, except for
+ * strips at the walls that are far from the poi. If the camera comes closer by a share, the
+ * distance of every object from a plane through the eye decreases by this share of the point's
+ * distance from the plane. */
 static float find_approach(const struct view *view, bool is_turned, vec3 tank_size_m, vec3 *at_m)
 {
     const struct basis axes = view_basis(view);
     const vec3 toward = v3_normalize_or(v3_flat(axes.back), v3(0.0f, 0.0f, 1.0f));
+    const vec3 way[EDGE_COUNT] = { v3_scale(toward, -1.0f), toward, v3_scale(axes.right, -1.0f),
+                                   axes.right };
     vec3 normal[EDGE_COUNT];
-    float room_m[EDGE_COUNT]; /* Distance of the water from each plane. */
+    float room_m[EDGE_COUNT]; /* Distance from each plane of the water that must be visible. */
     picture_bounds(view, &axes, is_turned, normal);
     for (uint32_t edge = 0; edge < EDGE_COUNT; edge++) {
         const float reach_m =
             f_abs(normal[edge].x) * tank_size_m.x + f_abs(normal[edge].z) * tank_size_m.z;
-        room_m[edge] = f_max(-v3_dot(normal[edge], view->eye_m) - 0.5f * reach_m, 0.0f);
+        const float strip_m =
+            edge == EDGE_FAR ? 0.0f : hidden_strip_m(tank_size_m, way[edge], *at_m);
+        room_m[edge] = f_max(-v3_dot(normal[edge], view->eye_m) - 0.5f * reach_m, 0.0f) -
+                       strip_m * v3_dot(normal[edge], way[edge]);
     }
     float share = CAMERA_CLOSER_MAX;
     for (uint32_t edge = EDGE_FAR; edge <= EDGE_NEAR; edge++) {

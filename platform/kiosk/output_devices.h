@@ -117,12 +117,20 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
 #define CAMERA_CLOSER_MAX 0.15f
 #define CAMERA_CLOSER_RATE 1.5f
 /* Largest distances from the middle of the picture at which the closer camera shows the edges of
- * the water, as shares of half the picture's height or width. The far edge stays below the
+ * the visible water, as shares of half the picture's height or width. The far edge stays below the
  * counters, which are lower in a wide picture. */
 #define CAMERA_FAR_EDGE 0.71f
 #define CAMERA_FAR_EDGE_TURNED 0.84f
 #define CAMERA_NEAR_EDGE 0.98f
 #define CAMERA_SIDE_EDGE 1.0f
+
+/* Greatest width of a strip of water at the left, right and near walls that may leave the picture,
+ * and the distances of the poi from such a wall between which the strip grows from 0. The strip is
+ * narrower than the poi (POI_OUTER_RADIUS_M). The picture thus always shows every place of the poi's
+ * centre, also while the poi is under water, where the camera does not follow the poi. */
+#define CAMERA_HIDDEN_M 0.040f
+#define CAMERA_HIDES_FROM_M 0.12f
+#define CAMERA_HIDES_TO_M 0.30f
 
 /* One coordinate of a critically damped motion. */
 struct camera_spring {
@@ -138,7 +146,7 @@ struct output_camera {
     vec3 close_m;             /* Position of the bowl. */
     /* The share by which the camera is closer to a point of the water, and x and z of the point
      * multiplied by this share. All possible places of the camera then form a convex set, so that
-     * the camera shows the edges of the water also while it moves. */
+     * the picture never hides more than the strips, also while the camera moves. */
     struct camera_spring closer[3];
 };
 

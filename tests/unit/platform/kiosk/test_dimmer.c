@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "core/poi/poi.h"
 #include "core/tank/preset.h"
 #include "platform/kiosk/output_devices.h"
 
@@ -331,27 +332,31 @@ static void seen_at(const struct view *view, vec3 point_m, float *x, float *y)
     *x = body.x / -body.z / (view->half_height_tan * view->aspect_min);
 }
 
-/* Checks that all corners of the water are visible, and that the place under each pointer is the
- * place that the picture shows there. */
-static void check_picture(const struct view *view)
+/* Checks that the picture shows the corner of the water in the directions `x` and `z` (-1 or 1), in
+ * the player's axes, except for the strips that may be hidden, and that the place under each pointer
+ * is the place that the picture shows there. */
+static void check_corner(const struct view *view, float x, float z, float strip_x_m,
+                         float strip_z_m)
 {
+    const vec3 size_m = view_from_world(is_turned, scene.tank_size_m);
     const float far = is_turned ? CAMERA_FAR_EDGE_TURNED : CAMERA_FAR_EDGE;
-    for (uint32_t i = 0; i < 4; i++) {
-        const vec3 corner_m = v3((i & 1u ? 0.5f : -0.5f) * scene.tank_size_m.x, 0.0f,
-                                 (i & 2u ? 0.5f : -0.5f) * scene.tank_size_m.z);
-        float x, y;
-        seen_at(view, corner_m, &x, &y);
-        assert_true(f_abs(x) < CAMERA_SIDE_EDGE + 0.001f);
-        assert_true(y > -CAMERA_NEAR_EDGE - 0.001f && y < far + 0.001f);
-        const vec3 mapped_m = view_point_on_plane(view, view->aspect_min, x, y, 0.0f);
-        assert_true(v3_length(v3_sub(mapped_m, corner_m)) < 1e-4f);
-    }
+    const vec3 corner_m =
+        view_to_world(is_turned, v3(x * (0.5f * f_abs(size_m.x) - strip_x_m), 0.0f,
+                                    z * (0.5f * f_abs(size_m.z) - (z > 0.0f ? strip_z_m : 0.0f))));
+    float across, up;
+    seen_at(view, corner_m, &across, &up);
+    assert_true(f_abs(across) < CAMERA_SIDE_EDGE + 0.001f);
+    assert_true(up > -CAMERA_NEAR_EDGE - 0.001f && up < far + 0.001f);
+    const vec3 mapped_m = view_point_on_plane(view, view->aspect_min, across, up, 0.0f);
+    assert_true(v3_length(v3_sub(mapped_m, corner_m)) < 1e-4f);
 }
 
-static void test_the_camera_comes_closer_and_shows_the_whole_water(void **state)
+static void test_the_camera_comes_closer_and_hides_no_place_of_the_poi(void **state)
 {
     (void)state;
+    assert_true(CAMERA_HIDDEN_M < POI_OUTER_RADIUS_M);
     for (uint32_t i = 0; i < 2u * TANK_PRESET_COUNT; i++) {
+        float most = 0.0f;
         begin_camera_round((uint8_t)(i / 2u), i & 1u);
         struct view before = tank_rest;
         for (uint32_t step = 0; step < 1200; step++) {
@@ -360,11 +365,42 @@ static void test_the_camera_comes_closer_and_shows_the_whole_water(void **state)
             scene.poi[1].position_m.x = 0.49f * scene.tank_size_m.x * f_cos(turn);
             scene.poi[1].position_m.z = 0.49f * scene.tank_size_m.z * f_sin(turn);
             const struct view view = round_frame(2);
-            check_picture(&view);
+            for (uint32_t corner = 0; corner < 4; corner++) {
+                check_corner(&view, corner & 1u ? 1.0f : -1.0f, corner & 2u ? 1.0f : -1.0f,
+                             CAMERA_HIDDEN_M, CAMERA_HIDDEN_M);
+            }
             assert_true(v3_length(v3_sub(view.eye_m, before.eye_m)) < 0.003f);
             before = view;
+            most = f_max(most, camera.closer[0].at);
         }
-        assert_true(camera.closer[0].at > 0.05f && camera.closer[0].at < CAMERA_CLOSER_MAX + 1e-4f);
+        assert_true(camera.closer[0].at > 0.05f && most < CAMERA_CLOSER_MAX + 1e-4f);
+    }
+}
+
+static void test_the_camera_is_closest_over_the_middle_of_the_tank(void **state)
+{
+    (void)state;
+    for (uint32_t turned = 0; turned < 2; turned++) {
+        begin_camera_round(TANK_PRESET_FESTIVAL, turned != 0);
+        round_after(8);
+        assert_true(camera.closer[0].at > CAMERA_CLOSER_MAX - 0.001f);
+    }
+}
+
+static void test_the_picture_shows_the_whole_water_beside_the_poi(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 4u * 2u * TANK_PRESET_COUNT; i++) {
+        begin_camera_round((uint8_t)(i / 8u), i & 4u);
+        const float x = i & 1u ? 1.0f : -1.0f, z = i & 2u ? 1.0f : -1.0f;
+        const vec3 size_m = view_from_world(is_turned, scene.tank_size_m);
+        const vec3 hand_m = v3(x * (0.5f * f_abs(size_m.x) - POI_OUTER_RADIUS_M), 0.035f,
+                               z * (0.5f * f_abs(size_m.z) - POI_OUTER_RADIUS_M));
+        scene.poi[1].position_m = view_to_world(is_turned, hand_m);
+        const struct view view = round_after(8);
+        check_corner(&view, x, z, 0.0f, 0.0f);
+        check_corner(&view, x, -z, 0.0f, CAMERA_HIDDEN_M);
+        check_corner(&view, -x, z, CAMERA_HIDDEN_M, 0.0f);
     }
 }
 
@@ -429,7 +465,9 @@ int main(void)
         TEST(test_the_camera_shows_a_landed_fish_closely_for_a_moment),
         TEST(test_the_camera_returns_in_the_frame_of_a_touch),
         TEST(test_the_camera_rests_in_a_game),
-        TEST(test_the_camera_comes_closer_and_shows_the_whole_water),
+        TEST(test_the_camera_comes_closer_and_hides_no_place_of_the_poi),
+        TEST(test_the_camera_is_closest_over_the_middle_of_the_tank),
+        TEST(test_the_picture_shows_the_whole_water_beside_the_poi),
         TEST(test_the_camera_leans_to_the_side_of_the_poi),
         TEST(test_the_camera_rests_without_ticks_and_while_the_poi_is_under_water),
         TEST(test_the_camera_returns_exactly_after_the_round),
