@@ -206,8 +206,8 @@ struct walker {
     struct colour cloth, stripe;
 };
 
-/* Paints the cotton robe of a passer-by with its sash and sleeves, and the head and the hands. Only a
- * portrait screen shows more than the hem. */
+/* Paints the cotton robe of a passer-by with its sash and sleeves, and the head and the hands.
+ * Only a portrait screen shows more than the hem. */
 static void paint_yukata(const struct walker *walker, const struct hour *hour, uint32_t seed)
 {
     const struct colour a = lit(hour, walker->cloth.r, walker->cloth.g, walker->cloth.b);

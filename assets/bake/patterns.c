@@ -48,7 +48,8 @@ static const struct design designs[PATTERN_LAYERS] = {
     /* Pattern "washed flank": red head, back and tail, and one flank that is paler up to the back
      * behind the gill cover. No pale band runs round the body. */
     { 0.12f, 0.24f, 0.20f, 0.30f,
-      { { 0.08f, 0.0f, 0.28f, 0.60f }, { 0.52f, 0.91f, 0.60f, 0.27f }, { 0.98f, 0.0f, 0.22f, 0.60f } } },
+      { { 0.08f, 0.0f, 0.28f, 0.60f }, { 0.52f, 0.91f, 0.60f, 0.27f },
+        { 0.98f, 0.0f, 0.22f, 0.60f } } },
     /* Pattern "blotches": white, with one washed patch of red on the left of the back. */
     { 0.0f, 0.14f, 0.26f, 0.30f,
       { { 0.34f, 0.88f, 0.30f, 0.26f }, { 0.56f, 0.92f, 0.20f, 0.20f } } },

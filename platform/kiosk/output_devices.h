@@ -126,8 +126,8 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
 
 /* Greatest width of a strip of water at the left, right and near walls that may leave the picture,
  * and the distances of the poi from such a wall between which the strip grows from 0. The strip is
- * narrower than the poi (POI_OUTER_RADIUS_M). The picture thus always shows every place of the poi's
- * centre, also while the poi is under water, where the camera does not follow the poi. */
+ * narrower than the poi (POI_OUTER_RADIUS_M). The picture thus always shows every place of the
+ * poi's centre, also while the poi is under water, where the camera does not follow the poi. */
 #define CAMERA_HIDDEN_M 0.040f
 #define CAMERA_HIDES_FROM_M 0.12f
 #define CAMERA_HIDES_TO_M 0.30f

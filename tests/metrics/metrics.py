@@ -110,6 +110,7 @@ FEATURE_LINES = {
     'ornaments of the flute in the scale of the tune, and random pitches of sounds that follow each other': 27,
     'a tear that grows and is heard in its full strength': 12,
     'rim and counter from a kept picture while the camera moves': 100,
+    'passers-by with sandals, strips of water that a near camera hides, and soft streaks of lanterns': 55,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.

@@ -332,9 +332,9 @@ static void seen_at(const struct view *view, vec3 point_m, float *x, float *y)
     *x = body.x / -body.z / (view->half_height_tan * view->aspect_min);
 }
 
-/* Checks that the picture shows the corner of the water in the directions `x` and `z` (-1 or 1), in
- * the player's axes, except for the strips that may be hidden, and that the place under each pointer
- * is the place that the picture shows there. */
+/* Checks that the picture shows the corner of the water in the directions `x` and `z` (-1 or 1) in
+ * the player's axes, except for the strips that may be hidden. Checks that the place under each
+ * pointer is the place that the picture shows there. */
 static void check_corner(const struct view *view, float x, float z, float strip_x_m,
                          float strip_z_m)
 {
