@@ -40,7 +40,7 @@ void main()
 #else
 void main()
 {
-    vec3 enamel = vec3(1.0, 0.995, 0.97);
+    vec3 enamel = vec3(1.07, 1.02, 0.95);
     float painted = smoothstep(0.90, 0.925, shell.y) * (1.0 - form.w);
 #ifdef INSIDE
     float stripe = clamp((0.030 - abs(shell.y - 0.82)) * (1.0 / 0.015), 0.0, 1.0);

@@ -48,7 +48,7 @@ void main()
     left = vec3(1.0);
 #ifdef WATER
     float away = 1.0 - max(view.y, 0.0);
-    light = vec4(middle.xz, middle.y, 0.7 * away * away);
+    light = vec4(middle.xz, middle.y, 0.4 * away * away);
     grid = vec3(local.xz / mouth.w, lamp_light(world).g);
     // As in mirror.frag.glsl, for a level surface.
     vec3 toward = vec3(from_world(-view.xz), view.y).xzy

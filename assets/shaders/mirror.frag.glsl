@@ -21,7 +21,7 @@ void main()
     // break into hooks.
     vec2 slope = from_world(slopes_here.ba);
     vec3 to_eye = normalize(view);
-    vec3 normal = normalize(vec3(-slope.x * 0.6, 1.0, -slope.y * 1.5));
+    vec3 normal = normalize(vec3(-slope.x * 0.5, 1.0, -slope.y));
     float facing = dot(normal, to_eye);
     vec3 mirror = 2.0 * facing * normal - to_eye;
     float away = 1.0 - facing;
