@@ -33,9 +33,9 @@ static const struct machine cpu = { true, 1280.0f * 720.0f, 0.6f, 0.5f, 1, 130.0
 /* Limits for the GPU of a single-board computer, which shares its memory with the CPU. On a V3D
  * GPU, writing and resolving 4 samples of a full screen takes most of the memory bandwidth of a
  * frame. Instead of multisampling, the shaders blend the outlines, as they do on a CPU. */
-static const struct machine board = { false, 1600.0f * 900.0f, 0.6f, 0.4f, 1, 120.0f, 50.0f };
+static const struct machine board = { false, 1600.0f * 900.0f, 0.6f, 0.3f, 1, 120.0f, 50.0f };
 /* Raspberry Pi 4: as `board`, with at most 1280x720 pixels above the water too. */
-static const struct machine pi4 = { false, 1280.0f * 720.0f, 0.6f, 0.4f, 1, 120.0f, 50.0f };
+static const struct machine pi4 = { false, 1280.0f * 720.0f, 0.6f, 0.3f, 1, 120.0f, 50.0f };
 /* Raspberry Pi 5, whose GPU is four times as fast. */
 static const struct machine pi5 = { false, 1920.0f * 1080.0f, 0.6f, 0.4f, 1, 120.0f, 50.0f };
 static const struct machine desktop = { false, 3840.0f * 2160.0f, 1.0f, 1.0f, 4, 24.0f, 0.0f };
