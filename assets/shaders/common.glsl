@@ -38,8 +38,8 @@ const float SEEN_SLOPE_MAX = 0.05;
 #define WATER_COLOR water_tint.rgb
 const vec3 LAMP_DIRECTION = vec3(0.251, 0.955, 0.151); // Direction from any point to the lamps of
                                                        // the stall.
-const vec3 WHITE = vec3(1.0, 0.955, 0.90);             // Skin colour of a goldfish where the skin
-                                                       // is not red, as in fish_colours.c.
+const vec3 WHITE = vec3(1.0, 0.955, 0.90);             // Skin colour of a goldfish in the growth lab
+                                                       // where the skin is not red.
 const float CAUSTIC_TILES = 3.6;                       // Number of caustics tiles per metre.
 
 // Returns the vertex `index` of a triangle strip of 12 vertices: an octagon around a circle of the

@@ -6,7 +6,9 @@
 
 #include "core/base/fmath.h"
 
-static const float silver[3] = { 1.0f, 0.955f, 0.90f };
+/* The white of a goldfish below the bulbs, whose light exceeds 1. A brighter skin would lose its
+ * scales. */
+static const float silver[3] = { 0.80f, 0.755f, 0.70f };
 static const float fry[3] = { 0.45f, 0.36f, 0.20f };
 static const float fry_belly[3] = { 0.82f, 0.74f, 0.56f };
 /* Brightness of a young fish at its back and of its fins, relative to `fry`. */
