@@ -45,8 +45,11 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
     if (!wanted || user->id == geteuid()) {
         file_default_data(user->data);
     } else if (entry->pw_dir && entry->pw_dir[0] == '/' && entry->pw_dir[1]) {
-        /* The default data folder is below the account's home folder. */
-        snprintf(user->data, sizeof user->data, "%.900s/.local/share/kingyo", entry->pw_dir);
+        /* The home folder of the account that board/sysusers makes is the data folder of the
+         * service. Other accounts have a data folder below their home folder. */
+        const bool is_service = strcmp(entry->pw_dir, "/var/lib/kingyo") == 0;
+        snprintf(user->data, sizeof user->data, "%.900s%s", entry->pw_dir,
+                 is_service ? "" : "/.local/share/kingyo");
     }
     snprintf(user->name, sizeof user->name, "%s", entry ? entry->pw_name : "this user");
     if (entry && getgrouplist(entry->pw_name, entry->pw_gid, user->groups, &count) < 0) {
