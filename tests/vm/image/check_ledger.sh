@@ -59,13 +59,17 @@ check_disk_ledger() {
     [ -z "$missing" ] || bad "$missing"
     sums_agree || bad 'the audits are not the sums of the entries'
     last_entry=$(ask 'SELECT id, units, bonus_units, paid, service, untold, open FROM entries ORDER BY id DESC LIMIT 1')
-    found_open=${last_entry##* }
+    found_open=$((${last_entry##* } & 255)) # The other bits are a returned credit, and tickets (ledger_file.h).
     sure_to=$found_to
     cp "$cache/disk.txt" "$cache/sure.txt"
 }
 
+# Prints the number of credits that a start must return for the open round that it found: 1 for a paid or SERVICE credit
+# (2 or 3) without the flag that the credit is not refundable (4), which a round gets whose credit was returned before.
+refunds_due() { echo $(((found_open & 3) >= 2 && !(found_open & 4))); }
+
 # Compares the recording of this start with the database: the start has the balance of the disk and
-# returns the credit of an open round. The entries that this start acknowledged become sure.
+# returns the credit of an open round, if it is refundable. The entries that this start acknowledged become sure.
 # Returns 1 if there is no complete recording.
 check_reported_ledger() { # FALLEN
     local recording refunds started safe_to
@@ -75,8 +79,8 @@ check_reported_ledger() { # FALLEN
     started=$(awk '/^start/ { print $2, $4, $5, $6, $7, $8, $9 }' "$cache/witness.txt")
     [ "$started" = "${last_entry:-0 0 0 0 0 0 0}" ] || bad "the start began with '$started', but the disk had '$last_entry'"
     awk '/^entry/ { print substr($0, 7) }' "$cache/witness.txt" >"$cache/reported.txt"
-    refunds=$(awk '$4 == 6 && $5 == 2' "$cache/reported.txt" | wc -l)
-    [ ! -s "$cache/reported.txt" ] || [ "$refunds" -eq $((found_open != 0)) ] ||
+    refunds=$(awk '$4 == 6 && $5 == 2 { sum += $6 } END { print sum + 0 }' "$cache/reported.txt")
+    [ ! -s "$cache/reported.txt" ] || [ "$refunds" -eq "$(refunds_due)" ] ||
         bad "the start found an open round ($found_open) and returned $refunds credits"
     refunded=$refunds
     safe_to=$(awk '/^end/ { print $3 }' "$cache/witness.txt")

@@ -53,7 +53,7 @@ cat "$cache"/[0-9]*/sums | awk -v jobs="$jobs" -v failed="$failed" -v seconds="$
     { for (i = 1; i <= 12; i++) sum[i] += $i }
     END {
         printf "kills: %d of %d power cuts, %d of them during a start; %d starts checked the saved data\n", sum[1], due, sum[3], sum[2]
-        printf "kills: %d of these found an open round; the %d that ran long enough returned its credit once\n", sum[4], sum[5]
+        printf "kills: %d of these found an open round; %d refundable credits were returned, each once\n", sum[4], sum[5]
         printf "kills: %d entries acknowledged, %d coins; %d writes flushed, of the others %d kept, %d torn, %d lost\n",
             sum[6], sum[7], sum[8], sum[9], sum[10], sum[11]
         printf "kills: %d failures, %d s\n", sum[12], seconds

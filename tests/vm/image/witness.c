@@ -15,6 +15,7 @@
  * missing. Exit code 0 means success, and 65 that another core wrote the recording. */
 #include <stdio.h>
 
+#include "platform/store/sqlite/ledger_file.h"
 #include "tests/vm/twin.h"
 
 static struct replay_reader reader;
@@ -22,10 +23,13 @@ static struct core core;
 /* The reader, the core and the output are static, because their size is some megabytes. */
 static struct output output;
 
+/* Prints the balance in the columns of the database, of which `open` contains three fields. */
 static void print_balance(const struct balance *balance)
 {
+    const uint32_t open = balance->open | (uint32_t)balance->returned << LEDGER_RETURNED_SHIFT |
+                          (uint32_t)balance->tickets << LEDGER_TICKETS_SHIFT;
     printf(" %u %u %u %u %u %u\n", balance->units, balance->bonus_units, balance->paid,
-           balance->service, balance->unlogged, balance->open);
+           balance->service, balance->unlogged, open);
 }
 
 static void print_entries(uint32_t from_id)
