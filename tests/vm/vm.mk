@@ -25,16 +25,16 @@ test-image:
 	BUILD=$(BUILD) GUEST=bookworm IMAGE_KERNEL=$(IMAGE_KERNEL) tests/vm/prepare.sh && \
 	BUILD=$(BUILD) tests/vm/image/test-image.sh
 
-# The programs of the guest are those of the root of `make deb ARCH=arm64`. MACHINES=raspi3b or MACHINES=virt runs one.
-## test/test-board: Boot the cards in emulated boards; MACHINES='parts raspi3b virt poi'
-test-board: MACHINES ?= parts raspi3b virt poi
+# The programs of the guest are those of the root of `make deb ARCH=arm64`. MACHINES='parts raspi3b' runs two of the machines.
+## test/test-board: Boot the cards in emulated boards; MACHINES=..., COUNT=3 power cuts
+test-board: MACHINES ?= parts raspi3b virt power selftest poi
 test-board:
 	@tests/vm/ready.sh arm64; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	$(MAKE) --no-print-directory BOARD=rpi4 image && \
-	$(MAKE) --no-print-directory -j$(JOBS) $(VM_BIN) && \
+	$(MAKE) --no-print-directory -j$(JOBS) BOARD=desktop $(VM_BIN) $(BUILD)/tests/vm/image/cut && \
 	BUILD=$(BUILD) board/deb/cross.sh arm64 vm-guest && \
 	{ [ -z "$(findstring poi,$(MACHINES))" ] || $(MAKE) --no-print-directory BOARD=poi image; } && \
-	BUILD=$(BUILD) MACHINES='$(MACHINES)' tests/vm/board/test-board.sh
+	BUILD=$(BUILD) MACHINES='$(MACHINES)' COUNT=$(COUNT) tests/vm/board/test-board.sh
 
 ## test/test-firmware: Boot the disk image by UEFI firmware alone
 test-firmware:

@@ -10,7 +10,7 @@
 # shellcheck disable=SC2154,SC1091,SC2034  # the sourced files set and use these variables
 export BUILD=${BUILD:-build}
 job=$1 kills=$2
-. "$(dirname "$0")/plug.sh" "image-kills/$job"
+. "$(dirname "$0")/plug.sh" "${CARD:-image}-kills/$job"
 . "$(dirname "$0")/check_ledger.sh"
 photo=$cache/../photo initrd=$cache/../initrd.zst
 seed=$((${SEED:-1} * 100 + job)) limit_s=${VM_SECONDS:-600} coins_max=${COINS:-25} cold=${COLD:-0} lies=${LIES:+lies}
@@ -106,7 +106,7 @@ print_progress() {
         "$reported_count" "$lost" $((lived_ms / 1000)) $((lived_ms / 100 % 10)) "$found"
 }
 
-cp --sparse=always "$image/kingyo.img" "$base"
+fresh_disk "$base"
 : >"$cache/writes.txt"
 for ((kill = 1; kill <= kills + 1; kill++)); do
     start_once

@@ -8,6 +8,7 @@
 # shellcheck shell=bash disable=SC2154,SC1091,SC2034  # the sourcing scripts use these variables
 . "$(dirname "${BASH_SOURCE[0]}")/disk.sh" "$1"
 base=$cache/base.img log=$cache/writes.log
+[ "${SCREEN:-yes}" = yes ] || remove_screen
 # whole is a complete boot, taking the run until the snapshot, and photo a start from the snapshot.
 begins=whole
 
@@ -32,6 +33,7 @@ make_machine() { # SCRIPT of guest/
     cp --sparse=always "$base" "$disk"
     : >"$log"
     mkfifo "$run/go.in" "$run/go.out"
+    [ "${SCREEN:-yes}" = yes ] || expect_no_screen
 }
 
 pull_plug() {
