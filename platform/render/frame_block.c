@@ -250,9 +250,6 @@ static void keep_part(struct frame *frame, const struct frame_part *last,
 /* Frames in which a camera that has stopped still counts as moving, so that a camera that stops for
  * a moment in a round does not change the render targets twice. */
 #define MOVING_FRAMES 180u
-/* Number of equal frames after which the camera rests, more than the frames without a tick on a
- * fast screen. */
-#define RESTING_FRAMES 8u
 
 /* Finds the part with the water, and whether the camera moves. The camera moves if one of the last
  * frames had another camera, and all of them had the same sizes. */
@@ -265,7 +262,6 @@ static void follow_camera(struct frame *frame, const uint32_t below_px[2])
         memcmp(frame->last_view, frame->block.view_projection, sizeof frame->last_view) == 0;
     const uint32_t left = frame->moving_frames > 0 ? frame->moving_frames - 1u : 0u;
     frame->moving_frames = !is_same_size ? 0u : is_same_view ? left : MOVING_FRAMES;
-    frame->is_resting = frame->moving_frames + RESTING_FRAMES <= MOVING_FRAMES;
     memcpy(frame->last_view, frame->block.view_projection, sizeof frame->last_view);
     memcpy(frame->last_below_px, below_px, sizeof frame->last_below_px);
     find_part(frame, below_px);
@@ -340,13 +336,6 @@ void frame_close(struct frame *frame)
 {
     glDeleteBuffers(1, &frame->buffer);
     glDeleteBuffers(1, &frame->below_buffer);
-}
-
-void frame_set_moving(struct frame *frame, bool is_moving, const uint32_t below_px[2])
-{
-    frame->moving_frames = is_moving ? 2u : 0u;
-    frame->last_below_px[0] = is_moving ? below_px[0] : 0u;
-    frame->last_below_px[1] = below_px[1];
 }
 
 void frame_bind(const struct frame *frame, bool is_below)

@@ -56,7 +56,6 @@ struct frame {
     float last_view[16];
     uint32_t last_below_px[2];
     uint32_t moving_frames;
-    bool is_resting;               /* True if the last frames had the same camera. */
     struct frame_part shaded_part; /* Part of the screen in which fans shade the rim or the counter,
                                       in pixels. Its width is 0 if no fan does. */
     struct frame_view view;
@@ -72,10 +71,6 @@ void frame_view_projection(float out[16], const struct view *view,
 
 void frame_open(struct frame *frame);
 void frame_close(struct frame *frame);
-
-/* Sets whether the camera counts as moving in the next frame, whose picture of the underwater scene
- * has the size `below_px`. */
-void frame_set_moving(struct frame *frame, bool is_moving, const uint32_t below_px[2]);
 
 /* Computes the uniform block for `scene` with the display geometry `transform`, uploads the block,
  * and binds the block for the screen. `size_px` is the width and the height of the render target

@@ -108,7 +108,7 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
             bowl_pass_hull(&renderer->bowl, &scene->bowl[i]);
         }
     }
-    basin_pass_deck(&renderer->basin, &renderer->frame, &renderer->deck, &renderer->textures);
+    basin_pass_deck(&renderer->basin, &renderer->frame, &renderer->deck);
     quad_pass_air(&renderer->quad, scene, true);
     quad_pass_drips(&renderer->quad, scene);
     fish_pass_bodies(&renderer->fish, FISH_ON_POI, false, &renderer->textures, caustics);

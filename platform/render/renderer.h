@@ -100,7 +100,7 @@ int renderer_open(struct renderer *renderer, const struct renderer_config *confi
 void renderer_close(struct renderer *renderer);
 
 /* Number of artificial pictures in which every shader program is used. */
-#define RENDERER_WARM_UPS 6u
+#define RENDERER_WARM_UPS 4u
 
 /* Draws one of the artificial pictures, so that the driver compiles the programs now and not in a
  * frame of the game. Overwrites `scratch` and the picture. Returns HAL_OK, or HAL_ERR_GONE on

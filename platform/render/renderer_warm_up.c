@@ -11,7 +11,7 @@
 /* Quality steps whose pictures are drawn. At the last step, the objects above the water have a
  * render target of their own, because the picture is smaller than the screen. */
 static const uint32_t warm_steps[2] = { QUALITY_STEP_MAX, 0 };
-#define WARM_KINDS 3u /* Number of pictures at each step. */
+#define WARM_KINDS 2u /* Number of pictures at each step. */
 _Static_assert(RENDERER_WARM_UPS == WARM_KINDS * sizeof warm_steps / sizeof *warm_steps,
                "every picture is drawn");
 
@@ -110,15 +110,13 @@ int renderer_warm_up(struct renderer *renderer, struct scene *scratch, uint32_t 
     int error = renderer_lower(renderer, warm_steps[picture / WARM_KINDS]);
     if (error == HAL_OK) {
         renderer->transform.light = 0.5f; /* A second program darkens the picture. */
-        /* The pois are in the water, then above it. In the third picture the camera moves far away
-         * from the kept picture of the rim and the counter, so that these are drawn completely. */
+        /* The pois are in the water, then above it. */
         fill_scene(scratch, kind == 1 ? 0.05f : 0.0f);
-        scratch->view.eye_m = kind == 2 ? v3(0.0f, 0.4f, 0.4f) : scratch->view.eye_m;
-        frame_set_moving(&renderer->frame, kind == 2, renderer->below_px);
         renderer_draw(renderer, scratch);
         draw_page(renderer);
         error = renderer_lower(renderer, step);
-        frame_set_moving(&renderer->frame, false, renderer->below_px);
+        /* The next frame does not follow the camera of the artificial scene. */
+        renderer->frame.last_below_px[0] = 0;
         renderer->basin.kept = kept;
         basin_pass_forget(&renderer->basin);
     }

@@ -22,7 +22,7 @@ static struct scene scene;
 static struct display_gl display;
 static uint8_t pixels[PIXELS_MAX * 3u];
 static float step_m; /* Motion of the camera from frame to frame. */
-static bool is_live; /* True if no picture of the rim and the counter is kept. */
+static bool is_live; /* True if the picture of the rim and the counter is drawn in each frame. */
 
 static double clock_ms(clockid_t clock)
 {

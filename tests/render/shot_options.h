@@ -22,7 +22,7 @@ struct shot_options {
     float close_x_m, close_z_m, close_m;
     /* Place of the camera after the first frame. `closer`: where it is in a round with one player.
      * `drift`: as far away as in attract mode. The camera then moves from frame to frame. With
-     * `live`, the rim and the counter are drawn without a kept picture while the camera moves. */
+     * `live`, the picture of the rim and the counter is drawn again in each frame. */
     uint8_t closer, drift, live;
     uint32_t width, height, samples, fish, seed;
     uint8_t start, english, passes, paper, preset;

@@ -337,19 +337,24 @@ void basin_pass_keep_deck(struct basin_pass *pass, const struct frame *frame,
                           const struct gl_target *target, const struct textures *textures)
 {
     struct deck_view *const kept = &pass->kept;
-    bool is_known = memcmp(kept->tank, frame->block.tank, sizeof kept->tank) == 0;
-    if (is_known) {
-        kept->is_drawn &= set_kept_matrix(kept, frame, transform, target);
-        is_known = is_covered(kept, &scene->view, transform->width / transform->height);
-    }
-    pass->is_deck_kept = is_known || frame->is_resting;
-    if (!is_known && frame->is_resting) {
-        kept->view = scene->view;
+    const float aspect = transform->width / transform->height;
+    if (memcmp(kept->tank, frame->block.tank, sizeof kept->tank) != 0) {
         memcpy(kept->tank, frame->block.tank, sizeof kept->tank);
-        set_kept_matrix(kept, frame, transform, target);
+        kept->view = kept->widest = scene->view;
         kept->is_drawn = false;
     }
-    if (!pass->is_deck_kept || kept->is_drawn) {
+    kept->is_drawn &= set_kept_matrix(kept, frame, transform, target);
+    if (!is_covered(kept, &scene->view, aspect)) {
+        kept->is_drawn = false;
+        kept->view = kept->widest;
+        set_kept_matrix(kept, frame, transform, target);
+    }
+    if (!is_covered(kept, &scene->view, aspect)) {
+        kept->view = scene->view;
+        set_kept_matrix(kept, frame, transform, target);
+        kept->widest = is_covered(kept, &kept->widest, aspect) ? scene->view : kept->widest;
+    }
+    if (kept->is_drawn) {
         return;
     }
     kept->is_drawn = true;
@@ -390,8 +395,8 @@ static void set_to_kept(const struct basin_pass *pass)
 
 /* The shades are read only in the part where fans cast them, because each texture lookup of the rim
  * and the counter takes V3D half a millisecond on the whole screen. */
-static void draw_kept_deck(const struct basin_pass *pass, const struct frame *frame,
-                           const struct gl_target *kept)
+void basin_pass_deck(const struct basin_pass *pass, const struct frame *frame,
+                     const struct gl_target *kept)
 {
     const struct frame_part *const shaded = &frame->shaded_part;
     /* The screen is smaller than the kept picture. */
@@ -407,6 +412,7 @@ static void draw_kept_deck(const struct basin_pass *pass, const struct frame *fr
                                   { right, low, width - right, high - low } };
     set_to_kept(pass);
     gl_bind_texture(0, GL_TEXTURE_2D, kept->texture);
+    glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glEnable(GL_SCISSOR_TEST);
     for (uint32_t i = 0; i < 5; i++) {
@@ -417,17 +423,6 @@ static void draw_kept_deck(const struct basin_pass *pass, const struct frame *fr
     }
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
-}
-
-void basin_pass_deck(const struct basin_pass *pass, const struct frame *frame,
-                     const struct gl_target *kept, const struct textures *textures)
-{
-    glDepthMask(GL_FALSE);
-    if (pass->is_deck_kept) {
-        draw_kept_deck(pass, frame, kept);
-    } else {
-        draw_deck(pass, textures);
-    }
     glDepthMask(GL_TRUE);
 }
 

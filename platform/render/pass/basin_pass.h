@@ -19,14 +19,14 @@ struct basin_pass {
     GLuint no_attributes; /* Vertex array of floor and walls, whose shaders compute the grids. */
     struct gl_ring slope_ring;
     /* Camera and tank of the kept picture of the rim and the counter, the matrix from the world to
-     * the clip space of the picture, and true if the picture has been drawn. */
+     * the clip space of the picture, and true if the picture has been drawn. `widest` is the camera
+     * of the kept picture that showed the most, which is the camera at rest. */
     struct deck_view {
-        struct view view;
+        struct view view, widest;
         float view_projection[16], tank[4];
         bool is_drawn;
     } kept;
-    GLint to_kept[2];  /* Uniforms of the programs that draw the kept picture. */
-    bool is_deck_kept; /* True if the kept picture shows all that the camera sees in this frame. */
+    GLint to_kept[2]; /* Uniforms of the programs that draw the kept picture. */
     float waves[RIPPLE_Z][RIPPLE_X][2];
     /* Four slopes for each point of the water surface, as 16-bit floats. The first two are the
      * slopes along x and along z for the reflection. The last two are the slopes along x and along
@@ -44,20 +44,18 @@ void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene);
 void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint shadows);
 
 /* Prepares the picture of the rim and the counter (the table around the tank). `target` is as large
- * as the screen plus an equal margin on opposite sides. A picture of another camera is kept if it
- * shows all that the camera sees in this frame. Otherwise draws the picture of this camera into
- * `target`, or nothing while the camera moves. basin_pass_forget() must be called after a target
- * was created. */
+ * as the screen plus an equal margin on opposite sides. The picture of another camera is kept if it
+ * shows all that the camera sees in this frame. Otherwise draws the picture of the widest camera or
+ * of this camera into `target`. basin_pass_forget() must be called after a target was created. */
 void basin_pass_keep_deck(struct basin_pass *pass, const struct frame *frame,
                           const struct scene *scene, const struct display_transform *transform,
                           const struct gl_target *target, const struct textures *textures);
 void basin_pass_forget(struct basin_pass *pass);
 /* Draws the rim and the counter (the table around the tank) from the picture `kept` of
- * basin_pass_keep_deck(), or completely and without the shades of fans if there is no picture for
- * this frame. The depth test hides the parts behind nearer objects. The rim and the counter write
- * no depth, because a poi (paper scoop) is always held over the rim. */
+ * basin_pass_keep_deck(). The depth test hides the parts behind nearer objects. The rim and the
+ * counter write no depth, because a poi (paper scoop) is always held over the rim. */
 void basin_pass_deck(const struct basin_pass *pass, const struct frame *frame,
-                     const struct gl_target *kept, const struct textures *textures);
+                     const struct gl_target *kept);
 /* Draws the reflections on the water surface and its slopes, at low resolution, into a render
  * target of their own. */
 void basin_pass_mirror(const struct basin_pass *pass, const struct textures *textures);

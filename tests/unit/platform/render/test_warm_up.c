@@ -172,7 +172,6 @@ static void test_a_game_uses_no_program_for_the_first_time(void **state)
     expect_no_first_use("low brightness");
     scene.view.eye_m = v3_scale(scene.view.eye_m, 0.5f);
     expect_no_first_use("close camera");
-    assert_false(display.renderer.basin.is_deck_kept);
 }
 
 static void test_a_lower_quality_uses_no_program_for_the_first_time(void **state)
