@@ -44,7 +44,7 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
             const float dx = x - lx * inv, dy = (y - ly * inv) * 0.82f, dz = z - lz * inv;
             const float d2 = dx * dx + dy * dy + dz * dz;
             /* Small waves, which the picture of the slopes lacks, draw a reflection out toward the
-             * viewer into a thin streak. */
+             * viewer into a soft, wide streak. */
             const float streak = dx * dx * 2600.0f + (dy * dy + dz * dz) * 80.0f;
             const struct colour light = noise_hash01(i, 7, row) < 0.35f ? red : paper;
             glow(at, light, 1.1f * expf(-streak));

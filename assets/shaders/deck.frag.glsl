@@ -1,7 +1,7 @@
-// The rim and the counter. The shader is compiled in three variants, so that each variant computes
-// only its own part: COUNTER for the counter, RIM for the top of the rim, and neither for the sides
-// of the rim. The picture of a camera at rest is kept. KEPT draws the kept picture as another or the
-// same camera sees it, and SHADED adds the shades of the fans.
+// The rim, the counter and the street. The shader is compiled in variants, so that each variant
+// computes only its own part: BACKDROP for the street, COUNTER for the counter, RIM for the top of
+// the rim, and none of them for the sides of the rim. The picture of a camera at rest is kept. KEPT
+// draws the kept picture as the camera of this frame sees it, and SHADED adds the shades of the fans.
 in vec3 world; // Position in the player's axes. KEPT: position in the world.
 in vec3 face;
 #ifdef KEPT

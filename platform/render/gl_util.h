@@ -47,7 +47,7 @@ struct gl_texture_desc {
     bool mipmaps;
     bool nearest; /* True for nearest filtering, the only filter that 32-bit floats support. */
     GLenum wrap;  /* Wrap mode of the texture. 0 means GL_CLAMP_TO_EDGE. GL_MIRRORED_REPEAT applies
-                     only to the rows. */
+                     along x; along y the texture is clamped. */
 };
 
 /* Creates a texture. If the size is larger than the driver supports, the failure message contains

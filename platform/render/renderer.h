@@ -3,7 +3,8 @@
  *
  * The renderer requires a current OpenGL ES 3.0 context and does not use SDL. The picture depends
  * only on the scene, the size, and the earlier camera whose picture of the rim and the counter is
- * kept (basin_pass.h). Drawing a scene twice on one machine therefore produces the same pixels. */
+ * kept (basin_pass.h). Drawing a scene twice on one machine with the same earlier camera therefore
+ * produces the same pixels. */
 #pragma once
 
 #include "core/scene.h"
