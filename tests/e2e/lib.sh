@@ -19,7 +19,7 @@ trap leave EXIT
 
 # Ends the test if the virtual screen or the kiosk has ended without the test's order. The last lines
 # then give the reason, because every later check would only wait in vain. Exit status 75 means that
-# the screen ended, which is no fault of the kiosk (tests/run.sh).
+# the screen ended, which the kiosk rarely causes: tests/run.sh repeats the test once and says so.
 check_processes() {
     local status
     if [ -n "$screen_pid" ] && ! kill -0 "$screen_pid" 2>/dev/null; then
