@@ -289,16 +289,19 @@ static float times_row(const float m[16], uint32_t row, vec3 at)
     return m[row] * at.x + m[4 + row] * at.y + m[8 + row] * at.z + m[12 + row];
 }
 
-/* Largest factor by which a texel of the kept picture may be magnified. */
+/* Largest factor by which a texel of the kept picture may be magnified, and a factor that no two
+ * cameras have. */
 #define KEPT_ZOOM_MAX 1.3f
+#define ANY_ZOOM 1e6f
 
 /* Returns true if the kept picture of a tank shows the four corners of the picture of the camera
- * `view`, without too large texels. Everything between the corners is then in the kept picture too.
- * A camera that comes closer also sees nothing that the rim hides from the camera of the kept
- * picture, because the closer camera looks less steeply over the rim. In attract mode, the drifting
- * camera rises by up to 2 cm and sees a little more behind the far rim. The kept picture shows the
- * rim there. This error is accepted, because the picture barely differs (test_deck.c). */
-static bool is_covered(const struct deck_view *kept, const struct view *view, float aspect)
+ * `view`, magnified by at most `zoom_max`. Everything between the corners is then in the kept
+ * picture too. A camera that comes closer also sees nothing that the rim hides from the camera of
+ * the kept picture, because the closer camera looks less steeply over the rim. In attract mode, the
+ * drifting camera rises by up to 2 cm and sees a little more behind the far rim. The kept picture
+ * shows the rim there. This error is accepted, because the picture barely differs (test_deck.c). */
+static bool is_covered(const struct deck_view *kept, const struct view *view, float aspect,
+                       float zoom_max)
 {
     const vec3 back = view_basis(view).back;
     const float zoom = kept->view.half_height_tan / view->half_height_tan;
@@ -311,7 +314,7 @@ static bool is_covered(const struct deck_view *kept, const struct view *view, fl
         const float edge = 1.001f * w; /* A corner of the same camera is rounded. */
         is_inside = f_abs(times_row(kept->view_projection, 0, at_m)) <= edge &&
                     f_abs(times_row(kept->view_projection, 1, at_m)) <= edge &&
-                    zoom * w <= KEPT_ZOOM_MAX * depth_m;
+                    zoom * w <= zoom_max * depth_m;
     }
     return is_inside;
 }
@@ -340,21 +343,24 @@ void basin_pass_keep_deck(struct basin_pass *pass, const struct frame *frame,
 {
     struct deck_view *const kept = &pass->kept;
     const float aspect = transform->width / transform->height;
-    if (memcmp(kept->tank, frame->block.tank, sizeof kept->tank) != 0) {
+    if (memcmp(kept->tank, frame->block.tank, sizeof kept->tank) != 0 ||
+        view_is_turned(&kept->widest) != view_is_turned(&scene->view)) {
         memcpy(kept->tank, frame->block.tank, sizeof kept->tank);
         kept->view = kept->widest = scene->view;
         kept->is_drawn = false;
     }
     kept->is_drawn &= set_kept_matrix(kept, frame, transform, target);
-    if (!is_covered(kept, &scene->view, aspect)) {
+    if (!is_covered(kept, &scene->view, aspect, KEPT_ZOOM_MAX)) {
         kept->is_drawn = false;
         kept->view = kept->widest;
         set_kept_matrix(kept, frame, transform, target);
     }
-    if (!is_covered(kept, &scene->view, aspect)) {
+    if (!is_covered(kept, &scene->view, aspect, KEPT_ZOOM_MAX)) {
         kept->view = scene->view;
         set_kept_matrix(kept, frame, transform, target);
-        kept->widest = is_covered(kept, &kept->widest, aspect) ? scene->view : kept->widest;
+        if (is_covered(kept, &kept->widest, aspect, ANY_ZOOM)) {
+            kept->widest = scene->view;
+        }
     }
     if (kept->is_drawn) {
         return;

@@ -20,7 +20,8 @@ struct basin_pass {
     struct gl_ring slope_ring;
     /* Camera and tank of the kept picture of the rim and the counter, the matrix from the world to
      * the clip space of the picture, and true if the picture has been drawn. `widest` is the camera
-     * of the kept picture that showed the most, which is the camera at rest. */
+     * of the kept picture that showed the most since the tank or the orientation of the screen has
+     * changed, which is the camera at rest. */
     struct deck_view {
         struct view view, widest;
         float view_projection[16], tank[4];

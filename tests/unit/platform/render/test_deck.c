@@ -106,18 +106,45 @@ static void test_the_picture_of_a_wider_camera_becomes_that_at_rest(void **state
 {
     (void)state;
     const struct view rest = scene.view;
-    come_closer(0.1f);
-    picture(pixels[0]);
-    expect_kept(&scene.view);
-    scene.view = rest;
-    picture(pixels[0]);
-    expect_kept(&rest);
-    come_closer(0.5f);
-    picture(pixels[0]);
-    scene.view = rest;
-    come_closer(0.1f);
-    picture(pixels[0]);
-    expect_kept(&rest);
+    /* The second of the first cameras is so close that its picture cannot replace that at rest. */
+    for (uint32_t i = 0; i < 2; i++) {
+        display.renderer.basin.kept = (struct deck_view){ 0 };
+        scene.view = rest;
+        come_closer(i == 0 ? 0.1f : 0.5f);
+        picture(pixels[0]);
+        expect_kept(&scene.view);
+        scene.view = rest;
+        picture(pixels[0]);
+        expect_kept(&rest);
+        come_closer(0.5f);
+        picture(pixels[0]);
+        scene.view = rest;
+        come_closer(0.1f);
+        picture(pixels[0]);
+        expect_kept(&rest);
+    }
+}
+
+static void test_a_turned_screen_gets_the_picture_of_its_own_camera_at_rest(void **state)
+{
+    (void)state;
+    const struct view rests[2] = { scene.view, scene.turned_view };
+    for (uint32_t i = 0; i < 4; i++) {
+        const bool is_turned = i & 1u;
+        scene.view = rests[is_turned];
+        assert_int_equal(renderer_resize(&display.renderer, is_turned ? HEIGHT : WIDTH,
+                                         is_turned ? WIDTH : HEIGHT),
+                         HAL_OK);
+        renderer_draw(&display.renderer, &scene);
+        expect_kept(&scene.view);
+        come_closer(0.5f);
+        renderer_draw(&display.renderer, &scene);
+        expect_kept(&scene.view);
+        scene.view = rests[is_turned];
+        come_closer(0.1f);
+        renderer_draw(&display.renderer, &scene);
+        expect_kept(&rests[is_turned]);
+    }
 }
 
 static void test_new_render_targets_get_the_picture_of_the_camera_at_rest(void **state)
@@ -208,6 +235,7 @@ int main(void)
         WITH_DISPLAY(test_a_drifting_camera_sees_the_kept_rim_as_it_would_be_drawn),
         WITH_DISPLAY(test_a_place_beyond_the_kept_picture_gets_a_new_picture),
         WITH_DISPLAY(test_the_picture_of_a_wider_camera_becomes_that_at_rest),
+        WITH_DISPLAY(test_a_turned_screen_gets_the_picture_of_its_own_camera_at_rest),
         WITH_DISPLAY(test_new_render_targets_get_the_picture_of_the_camera_at_rest),
         WITH_DISPLAY(test_the_kept_picture_shows_all_that_the_camera_of_a_round_sees),
         WITH_DISPLAY(test_the_rim_stays_at_the_tank_while_the_camera_looks_aside),
