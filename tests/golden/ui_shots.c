@@ -207,8 +207,8 @@ static int shoot_all(struct ui *ui, const char *out, struct canvas canvas, uint8
 /* ---- Comparison with golden sheets ----------------------------------------------------------- */
 
 /* Sizes of the compared screens, and sizes of their tiles on the golden sheet, on the contact sheet
- * and on the sheet of all pictures. A golden tile has 1/16 of the width of a screen of 720 pixels.
- * Every screen is drawn at its full size before the picture is reduced. */
+ * and on the sheet of all pictures. A golden tile has 1/16 of the width of its screen, 1/24 at
+ * 1920x1080. Every screen is drawn at its full size before the picture is reduced. */
 static const struct compared {
     int width, height, small[2], large[2], thumb[2];
 } compared[] = {
