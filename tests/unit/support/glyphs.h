@@ -115,11 +115,15 @@ static inline bool glyph_is_hidden(const struct ui_batch *batch, uint32_t below,
  * `share`. Returns the number of quads if there is no such letter. */
 static inline uint32_t glyph_find_covered(const struct ui_batch *batch, float *share)
 {
-    static float boxes[UI_QUADS_MAX][4];
+    float upper[4], lower[4];
     for (uint32_t i = 0; i < batch->quad_count; i++) {
-        glyph_box(batch, i, boxes[i]);
-        for (uint32_t j = 0; j + 1u < i && glyph_is_filled(batch, i); j++) {
-            *share = glyph_is_filled(batch, j) ? glyph_shared_area(boxes[i], boxes[j]) : 0.0f;
+        glyph_box(batch, i, upper);
+        for (uint32_t j = 0; j < i && glyph_is_filled(batch, i); j++) {
+            if (!glyph_is_filled(batch, j)) {
+                continue;
+            }
+            glyph_box(batch, j, lower);
+            *share = glyph_shared_area(upper, lower);
             if (*share > GLYPH_COVERED_MAX && !glyph_is_hidden(batch, j, i)) {
                 return i;
             }

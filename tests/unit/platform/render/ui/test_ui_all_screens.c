@@ -162,6 +162,24 @@ static void test_no_letter_lies_on_another(void **state)
     check_every_screen(check_no_letter_on_another);
 }
 
+/* Two texts may meet at letters that were drawn one after the other. */
+static void test_a_letter_on_the_one_before_it_is_found(void **state)
+{
+    (void)state;
+    float share = 0.0f;
+    uint32_t quad = 1;
+    screens_fill(0, LANGUAGE_EN, false, &scene, &memory);
+    ui_screens(&batch, &memory, &scene, 1280.0f, 720.0f);
+    while (quad < batch.quad_count &&
+           !(glyph_is_filled(&batch, quad - 1u) && glyph_is_filled(&batch, quad))) {
+        quad++;
+    }
+    assert_true(quad < batch.quad_count);
+    memcpy(&batch.vertices[quad * 4u], &batch.vertices[(quad - 1u) * 4u],
+           4u * sizeof *batch.vertices);
+    assert_int_equal(glyph_find_covered(&batch, &share), quad);
+}
+
 static void check_no_letter_overflows(const struct laid_out *at)
 {
     for (uint32_t i = 0; i < batch.quad_count; i++) {
@@ -184,6 +202,7 @@ int main(void)
         cmocka_unit_test(test_the_list_has_every_phase_and_page_and_no_letter_is_missing),
         cmocka_unit_test(test_every_text_is_readable_from_its_distance),
         cmocka_unit_test(test_no_letter_lies_on_another),
+        cmocka_unit_test(test_a_letter_on_the_one_before_it_is_found),
         cmocka_unit_test(test_no_letter_overflows_its_box),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
