@@ -242,19 +242,23 @@ home_of() { # USER: The data folder is in the home of USER, not in the home of t
     grep -qF "$root$home/.local/share/kingyo: " "$work/out" && ! grep -q somebody/else "$work/out"
 }
 check '--user selects the data folder of that user' home_of daemon
-service_folder() { # The service stores its data in the home folder of the account that board/sysusers makes.
-    (grep -v '^kingyo:' /etc/passwd; echo 'kingyo:x:990:990::/var/lib/kingyo:/usr/sbin/nologin') >"$work/passwd"
+service_folder() { # UID: The service stores its data in the home folder of the account that board/sysusers makes.
+    (grep -v '^kingyo:' /etc/passwd; echo "kingyo:x:$1:$1::/var/lib/kingyo:/usr/sbin/nologin") >"$work/passwd"
     unshare -m sh -c "mount --bind '$work/passwd' /etc/passwd && exec '$ctl' doctor --root '$root' --user kingyo" >"$work/out"
     grep -E ' store ' "$work/out"
     grep -qF "$root/var/lib/kingyo: " "$work/out"
 }
-text="--user kingyo selects the service's data folder"
-if [ "$(id -u)" -eq 0 ] && unshare -m true 2>/dev/null; then
-    check "$text" service_folder
-else
-    count=$((count + 1))
-    echo "ok $count - $text # SKIP this needs root and a mount namespace"
-fi
+while read -r uid text; do
+    if [ "$(id -u)" -eq 0 ] && unshare -m true 2>/dev/null; then
+        check "$text" service_folder "$uid" </dev/null
+    else
+        count=$((count + 1))
+        echo "ok $count - $text # SKIP this needs root and a mount namespace"
+    fi
+done <<END
+990 --user kingyo selects the service's data folder
+$(id -u) --user kingyo selects it also for that user
+END
 check 'a missing configuration exits with 74' refuses 74 --config "$work/none.conf"
 helps() { "$ctl" doctor --help | grep -q -- '--root FOLDER'; }
 check '--help lists the options' helps

@@ -42,12 +42,13 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
     }
     user->id = entry ? entry->pw_uid : geteuid();
     user->data[0] = '\0';
-    if (!wanted || user->id == geteuid()) {
+    /* The home folder of the account that board/sysusers makes is the data folder of the service.
+     * Other accounts have a data folder below their home folder. */
+    const bool is_service =
+        wanted && entry->pw_dir && strcmp(entry->pw_dir, "/var/lib/kingyo") == 0;
+    if (!wanted || (user->id == geteuid() && !is_service)) {
         file_default_data(user->data);
     } else if (entry->pw_dir && entry->pw_dir[0] == '/' && entry->pw_dir[1]) {
-        /* The home folder of the account that board/sysusers makes is the data folder of the
-         * service. Other accounts have a data folder below their home folder. */
-        const bool is_service = strcmp(entry->pw_dir, "/var/lib/kingyo") == 0;
         snprintf(user->data, sizeof user->data, "%.900s%s", entry->pw_dir,
                  is_service ? "" : "/.local/share/kingyo");
     }
