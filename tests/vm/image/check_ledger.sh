@@ -4,6 +4,8 @@
 # found at a start, must stay on the disk unchanged. The disk may have more entries, because a
 # recording ends up to a second before the power cut.
 # shellcheck shell=bash disable=SC2154,SC2034  # the sourcing scripts set and use these variables
+payment_paid=2 payment_kind_mask=3 payment_spent=4 # enum round_payment (core/ledger.h)
+open_mask=255   # Bits of the column `open` with the payment of the open round (ledger_file.h).
 sure_to=0       # No entry with an id up to this value may be missing.
 found_to=0 found_open=0
 last_entry=''   # The balance according to the newest entry that was found.
@@ -59,14 +61,14 @@ check_disk_ledger() {
     [ -z "$missing" ] || bad "$missing"
     sums_agree || bad 'the audits are not the sums of the entries'
     last_entry=$(ask 'SELECT id, units, bonus_units, paid, service, untold, open FROM entries ORDER BY id DESC LIMIT 1')
-    found_open=$((${last_entry##* } & 255)) # The other bits are a returned credit, and tickets (ledger_file.h).
+    found_open=$((${last_entry##* } & open_mask)) # The other bits are a returned credit, and tickets.
     sure_to=$found_to
     cp "$cache/disk.txt" "$cache/sure.txt"
 }
 
 # Prints the number of credits that a start must return for the open round that it found: 1 for a paid or SERVICE credit
-# (2 or 3) without the flag that the credit is not refundable (4), which a round gets whose credit was returned before.
-refunds_due() { echo $(((found_open & 3) >= 2 && !(found_open & 4))); }
+# without the flag that the credit is not refundable, which a round gets whose credit was returned before.
+refunds_due() { echo $(((found_open & payment_kind_mask) >= payment_paid && !(found_open & payment_spent))); }
 
 # Compares the recording of this start with the database: the start has the balance of the disk and
 # returns the credit of an open round, if it is refundable. The entries that this start acknowledged become sure.
