@@ -54,11 +54,11 @@ static const struct bone bones[] = {
 #define STEPS_MAX 12u
 #define INSIDE 0.02f /* Depth from which a vertex is hidden inside the hand. */
 /* The rows of the thumb whose `v` is above 1 / TIP_FROM close its tip. */
-#define TIP_FROM 1.25f
+#define TIP_FROM 1.5f
 
 /* Number of joints of a finger, from the knuckle to the end of the last bone. */
 #define JOINT_COUNT (FINGER_BONES + 1u)
-#define THUMB_COLUMNS 7u
+#define THUMB_COLUMNS 8u
 #define THUMB_ROWS 7u
 #define FIST_COLUMNS 18u
 #define FIST_ROWS (JOINT_COUNT + 2u)
@@ -149,12 +149,16 @@ static struct shape_vertex thumb_point(float u, float v, const void *context)
     return (struct shape_vertex){ .position = leave_hand(centre, way, 1.12f * radius), .u = 1.0f };
 }
 
-/* Returns joint `joint` of a finger. Joint 0 is the knuckle. */
+/* Fraction of the palm that the fingers cover behind their knuckles, so that no gap opens there. */
+#define KNUCKLE_BACK 0.2f
+
+/* Returns joint `joint` of a finger. Joint 0 is behind the knuckle. */
 static vec3 joint_of(uint32_t finger, uint32_t joint)
 {
     const struct bone *const first = &bones[finger * FINGER_BONES];
     CORE_ASSERT(joint < JOINT_COUNT);
-    return joint == 0 ? first->from : first[joint - 1u].to;
+    const vec3 wrist = v3(HAND_WRIST_X, HAND_WRIST_Y, HAND_WRIST_Z);
+    return joint == 0 ? v3_lerp(first->from, wrist, KNUCKLE_BACK) : first[joint - 1u].to;
 }
 
 /* Returns the direction of a finger at joint `joint`. */
@@ -171,6 +175,9 @@ static vec3 tangent_of(uint32_t finger, uint32_t joint)
 #define NORMAL_SLOPE 0.0f
 #define NORMAL_GRID 1.0f
 #define NORMAL_INNER 2.0f
+
+/* Depth of the groove between two closed fingers: 1 is the depth between round fingers. */
+#define GROOVE 0.4f
 
 /* A column of the fingers, which are closed together. */
 struct fist_column {
@@ -224,7 +231,8 @@ static struct shape_vertex fist_point(float u, float v, const void *context)
     const vec3 low = leave_hand(v3_lerp(centre[0], centre[1], share), way, 0.05f);
     const vec3 high =
         v3_lerp(leave_hand(centre[0], way, 0.3f), leave_hand(centre[1], way, 0.3f), share);
-    return (struct shape_vertex){ .position = is_between && !is_tip ? low : high,
+    const float depth = is_between && !is_tip ? GROOVE : 0.0f;
+    return (struct shape_vertex){ .position = v3_lerp(high, low, depth),
                                   .u = is_between ? 0.5f : 1.0f,
                                   .v = is_inner     ? NORMAL_INNER
                                        : is_between ? NORMAL_GRID
