@@ -13,9 +13,11 @@
 #endif
 
 /* Margin on each side of the kept picture of the rim and the counter, as a fraction of the smaller
- * side of the screen. In attract mode, the drifting camera shows a tenth beyond the picture of the
- * camera at rest. */
+ * side of the screen, and the least margin as a fraction of the difference between the sides. In
+ * attract mode, the drifting camera shows up to this much beyond the picture of the camera at rest.
+ * The second fraction is the larger margin if the screen is wider than 16:9. */
 #define DECK_MARGIN 0.1f
+#define DECK_MARGIN_WIDE 0.125f
 
 static const char *gl_string(GLenum name)
 {
@@ -51,8 +53,10 @@ static void open_targets(struct renderer *renderer)
     screen_px[0] = scaled(width, quality->screen_scale);
     screen_px[1] = scaled(height, quality->screen_scale);
     const uint32_t short_px = screen_px[screen_px[0] > screen_px[1]];
-    const uint32_t room_px = renderer->side_max - screen_px[screen_px[0] <= screen_px[1]];
-    const uint32_t wanted_px = scaled(short_px, DECK_MARGIN);
+    const uint32_t long_px = screen_px[screen_px[0] <= screen_px[1]];
+    const uint32_t room_px = renderer->side_max - long_px;
+    const float wide_px = DECK_MARGIN_WIDE * (float)(long_px - short_px);
+    const uint32_t wanted_px = scaled(1u, f_max(DECK_MARGIN * (float)short_px, wide_px));
     const uint32_t margin_px = wanted_px < room_px / 2u ? wanted_px : room_px / 2u;
     basin_pass_forget(&renderer->basin);
     gl_target_open(&renderer->status, "deck", &renderer->deck,

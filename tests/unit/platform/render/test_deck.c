@@ -163,6 +163,11 @@ static void test_new_render_targets_get_the_picture_of_the_camera_at_rest(void *
     assert_true(mean_difference() < 1.0);
 }
 
+/* Sizes of the picture, one of each usual shape of a screen. */
+static const uint32_t sizes_px[][2] = {
+    { 160, 90 }, { 120, 90 }, { 210, 90 }, { 90, 160 }, { 90, 120 },
+};
+
 /* Plays a round of one player in the tank `preset`, and draws some frames of its camera. The poi
  * circles at the walls. */
 static void play_round(uint8_t preset, uint32_t width, uint32_t height)
@@ -196,9 +201,6 @@ static void play_round(uint8_t preset, uint32_t width, uint32_t height)
 static void test_the_kept_picture_shows_all_that_the_camera_of_a_round_sees(void **state)
 {
     (void)state;
-    static const uint32_t sizes_px[][2] = {
-        { 160, 90 }, { 120, 90 }, { 210, 90 }, { 90, 160 }, { 90, 120 },
-    };
     scene.fish_count = 0;
     scene.poi[0].present = scene.bowl[0].present = 1;
     scene.poi[0].ring_radius_m = 0.04f;
@@ -210,6 +212,39 @@ static void test_the_kept_picture_shows_all_that_the_camera_of_a_round_sees(void
     for (uint32_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
         for (uint32_t i = 0; i < sizeof sizes_px / sizeof *sizes_px; i++) {
             play_round((uint8_t)preset, sizes_px[i][0], sizes_px[i][1]);
+        }
+    }
+}
+
+/* Draws the tank `preset` from the camera at rest and from the eight places that are farthest from
+ * the rest in attract mode (`drift_m` in output_devices.c). */
+static void drift(uint8_t preset, uint32_t width, uint32_t height)
+{
+    const bool is_turned = height > width;
+    const struct view rest = tank_preset_view(tank_preset(preset), is_turned);
+    scene.view = rest;
+    scene.tank_size_m = tank_preset(preset)->size_m;
+    scene.wall_height_m = tank_preset(preset)->wall_height_m;
+    assert_int_equal(renderer_resize(&display.renderer, width, height), HAL_OK);
+    renderer_draw(&display.renderer, &scene);
+    for (uint32_t i = 0; i < 8; i++) {
+        const vec3 off_m =
+            v3(i & 1u ? 0.045f : -0.045f, i & 2u ? 0.02f : -0.02f, i & 4u ? 0.03f : -0.03f);
+        scene.view = rest;
+        scene.view.eye_m = v3_add(rest.eye_m, view_to_world(is_turned, off_m));
+        renderer_draw(&display.renderer, &scene);
+        expect_kept(&rest);
+    }
+}
+
+static void test_the_kept_picture_shows_all_that_the_drifting_camera_sees(void **state)
+{
+    (void)state;
+    scene.fish_count = 0;
+    scene.phase = PHASE_ATTRACT;
+    for (uint32_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
+        for (uint32_t i = 0; i < sizeof sizes_px / sizeof *sizes_px; i++) {
+            drift((uint8_t)preset, sizes_px[i][0], sizes_px[i][1]);
         }
     }
 }
@@ -238,6 +273,7 @@ int main(void)
         WITH_DISPLAY(test_a_turned_screen_gets_the_picture_of_its_own_camera_at_rest),
         WITH_DISPLAY(test_new_render_targets_get_the_picture_of_the_camera_at_rest),
         WITH_DISPLAY(test_the_kept_picture_shows_all_that_the_camera_of_a_round_sees),
+        WITH_DISPLAY(test_the_kept_picture_shows_all_that_the_drifting_camera_sees),
         WITH_DISPLAY(test_the_rim_stays_at_the_tank_while_the_camera_looks_aside),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
