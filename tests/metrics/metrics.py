@@ -109,8 +109,8 @@ FEATURE_LINES = {
     'sounds that come from their side of the picture, also on a portrait screen': 24,
     'ornaments of the flute in the scale of the tune, and random pitches of sounds that follow each other': 27,
     'a tear that grows and is heard in its full strength': 12,
-    'rim and counter from a kept picture while the camera moves': 80,
-    'passers-by with sandals, strips of water that a near camera hides, and soft streaks of lanterns': 55,
+    'rim and counter from a kept picture while the camera moves, on each orientation and width of a screen': 88,
+    'passers-by with sandals, strips of water that a near camera hides, and soft streaks of lanterns': 57,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.

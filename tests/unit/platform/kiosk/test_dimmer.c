@@ -354,7 +354,6 @@ static void check_corner(const struct view *view, float x, float z, float strip_
 static void test_the_camera_comes_closer_and_hides_no_place_of_the_poi(void **state)
 {
     (void)state;
-    assert_true(CAMERA_HIDDEN_M < POI_OUTER_RADIUS_M);
     for (uint32_t i = 0; i < 2u * TANK_PRESET_COUNT; i++) {
         float most = 0.0f;
         begin_camera_round((uint8_t)(i / 2u), i & 1u);
@@ -374,6 +373,26 @@ static void test_the_camera_comes_closer_and_hides_no_place_of_the_poi(void **st
             most = f_max(most, camera.closer[0].at);
         }
         assert_true(camera.closer[0].at > 0.05f && most < CAMERA_CLOSER_MAX + 1e-4f);
+    }
+}
+
+/* The poi goes under water in one corner, far from two walls, and moves to the opposite corner. */
+static void test_the_picture_shows_a_poi_that_moves_to_a_wall_under_water(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 4u * 2u * TANK_PRESET_COUNT; i++) {
+        begin_camera_round((uint8_t)(i / 8u), i & 4u);
+        const float x = i & 1u ? 1.0f : -1.0f, z = i & 2u ? 1.0f : -1.0f;
+        const vec3 corner_m = v3(x * (0.5f * scene.tank_size_m.x - POI_OUTER_RADIUS_M), 0.0f,
+                                 z * (0.5f * scene.tank_size_m.z - POI_OUTER_RADIUS_M));
+        scene.poi[1].position_m = v3_sub(v3(0.0f, 0.035f, 0.0f), corner_m);
+        round_after(8);
+        scene.poi[1].position_m = v3_add(v3(0.0f, -0.05f, 0.0f), corner_m);
+        const struct view view = round_after(2);
+        float across, up;
+        seen_at(&view, scene.poi[1].position_m, &across, &up);
+        assert_true(camera.closer[0].at > 0.05f);
+        assert_true(f_abs(across) < 1.0f && f_abs(up) < 1.0f);
     }
 }
 
@@ -466,6 +485,7 @@ int main(void)
         TEST(test_the_camera_returns_in_the_frame_of_a_touch),
         TEST(test_the_camera_rests_in_a_game),
         TEST(test_the_camera_comes_closer_and_hides_no_place_of_the_poi),
+        TEST(test_the_picture_shows_a_poi_that_moves_to_a_wall_under_water),
         TEST(test_the_camera_is_closest_over_the_middle_of_the_tank),
         TEST(test_the_picture_shows_the_whole_water_beside_the_poi),
         TEST(test_the_camera_leans_to_the_side_of_the_poi),
