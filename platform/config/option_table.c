@@ -118,8 +118,9 @@ static int parse_named(const struct option *option, void *target, int argc, cons
     if (!value && option->value && *index + 1 < argc) {
         const char *next = argv[*index + 1];
         /* A word that begins with one dash, such as "-3", counts as the value of the option. The
-         * range check then rejects the number with a specific error message. */
-        if (is_optional ? isdigit((unsigned char)next[next[0] == '-'])
+         * range check then rejects the number with a specific error message. An optional value may
+         * be any word that does not look like an option. */
+        if (is_optional ? next[0] != '-' || isdigit((unsigned char)next[1])
                         : strncmp(next, "--", 2) != 0) {
             value = next;
             ++*index;

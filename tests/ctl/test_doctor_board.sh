@@ -26,13 +26,26 @@ check 'a supply without an alarm is fine' finds fine power supply 'is high enoug
 check 'a cool processor is fine' finds fine heat processor 'not throttled' '$'
 put $firmware 50005
 check 'a low voltage is wrong' finds wrong power supply 'too low now' 'use the supply of Raspberry Pi'
-check 'a processor that the firmware throttles is reported' finds check heat processor 'slower now' 'clean the vents'
+check 'a processor that the firmware throttles is reported' finds check heat processor 'slower now' '.*clean the vents'
+check 'a processor that is throttled at a low voltage needs a supply first' finds check heat processor 'slower now' 'repair the supply first'
+put $firmware 50004
+check 'a voltage that was low is also named before the vents' finds check heat processor 'slower now' 'repair the supply first'
+put $firmware 4
+check 'a processor that is throttled at a good voltage needs no other supply' finds check heat processor 'slower now' 'clean the vents'
 put $firmware 50000
 check 'a voltage that was low is reported' finds check power supply 'was too low since the start' 'use the supply'
-check 'a processor that was throttled is reported' finds check heat processor 'was throttled since the start' 'clean the vents'
+check 'a processor that was throttled is reported' finds check heat processor 'was throttled since the start' 'repair the supply first'
+put $firmware 40000
+check 'a processor that was throttled at a good voltage needs no other supply' finds check heat processor 'was throttled since the start' 'clean the vents'
 put $firmware 80008
 check 'a soft limit of temperature is reported' finds check heat processor 'slower now'
 check 'a soft limit of temperature says nothing about the supply' finds fine power supply 'is high enough'
+for bits in zzz '' '50005 trailing' 5z -1 100000000; do
+    put $firmware "$bits"
+    check "bits that cannot be read ('$bits') say nothing about the supply" finds fine power supply 'is unknown to this kernel' '$'
+done
+put $firmware 0x50005
+check 'bits with a prefix are read' finds wrong power supply 'too low now'
 put $firmware 0
 put sys/class/hwmon/hwmon0/name cpu_thermal
 put sys/class/hwmon/hwmon0/in0_lcrit_alarm 1
@@ -92,6 +105,29 @@ printf '%s\n' '3,341,91409000,-;I/O error, dev mmcblk0, sector 81 op 0x1:(WRITE)
     $'2,342,91409100,-;EXT4-fs error (device mmcblk0p3): ext4_find_entry \e[31m' >>"$root/dev/kmsg"
 check 'errors in the kernel log are counted, and the last is printed without control characters' finds wrong card mmcblk0 \
     '2 errors in the kernel log, the last: EXT4-fs error \(device mmcblk0p3\): ext4_find_entry .\[31m' 'copy the takings now'
+while read -r line; do
+    put dev/kmsg "3,341,91409000,-;$line"
+    check "one error of the card: $line" finds wrong card mmcblk0 '1 error in the kernel log, the last: ' 'copy the takings now'
+done <<'EOF'
+mmc0: error -110 whilst initialising SD card
+mmc0: timeout waiting for hardware interrupt
+mmc0: Timeout waiting for hardware interrupt.
+mmcblk0: failed to send command
+EXT4-fs (mmcblk0p4): Remounting filesystem read-only
+EOF
+while read -r line; do
+    put dev/kmsg "$line"
+    check "no error of the card: $line" finds fine card mmcblk0 'no errors in the kernel log' '$'
+done <<'EOF'
+6,339,5140900,-;mmc0: SDHCI controller on fe340000.mmc [fe340000.mmc] using ADMA
+6,339,5140900,-;mmcblk0: mmc0:0001 SD32G 29.7 GiB
+6,339,5140900,-;EXT4-fs (mmcblk0p2): mounted filesystem ro with ordered data mode
+5,339,5140900,-;Kernel command line: root=/dev/mmcblk0p2 rootflags=errors=remount-ro
+4,339,5140900,-;brcmfmac mmc1:0001:1: Direct firmware load for brcm/a.clm_blob failed with error -2
+3,339,5140900,-;mmc1: error -110 whilst initialising SDIO card
+3,339,5140900,-;usb 1-1: device descriptor read error -110
+28,339,5140900,-;systemd[1]: Dependency failed for File System Check on /dev/mmcblk0p5
+EOF
 rm "$root/dev/kmsg"
 put sys/block/mmcblk0/device/pre_eol_info 0x02
 check 'a worn eMMC is reported' finds check card mmcblk0 'reports that it is worn' 'copy the takings now'

@@ -111,6 +111,7 @@ FEATURE_LINES = {
     'a tear that grows and is heard in its full strength': 12,
     'rim and counter from a kept picture while the camera moves, on each orientation and width of a screen': 88,
     'passers-by with sandals, strips of water that a near camera hides, and soft streaks of lanterns': 57,
+    'errors of a memory card by its host, bits of the supply that cannot be read, and the supply before the vents': 22,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.

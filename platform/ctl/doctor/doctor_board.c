@@ -7,6 +7,7 @@
  * supply voltage, of the driver raspberrypi-hwmon. Debian 13's kernel has neither. */
 #include "platform/ctl/doctor/doctor.h"
 
+#include <ctype.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,14 +35,17 @@ enum {
 };
 
 /* Returns the bits of the firmware, or what another kernel knows of them. Sets `is_measured` to
- * true if the kernel knows the supply voltage. */
+ * true if the kernel knows the supply voltage. The firmware's bits are ignored unless the whole
+ * line is a hexadecimal number of at most 32 bits. */
 static uint32_t throttle_bits(const struct doctor *doctor, bool *is_measured)
 {
     static struct doctor_names monitors;
     char line[64], path[OPTIONS_PATH_MAX + 64u];
     doctor_line(doctor, line, sizeof line, GET_THROTTLED);
-    *is_measured = line[0] != '\0';
-    uint32_t bits = (uint32_t)strtoul(line, NULL, 16);
+    char *end;
+    const unsigned long number = strtoul(line, &end, 16);
+    *is_measured = isxdigit((unsigned char)line[0]) && !*end && number <= UINT32_MAX;
+    uint32_t bits = *is_measured ? (uint32_t)number : 0u;
     doctor_list(doctor, "/sys/class/hwmon", "hwmon", &monitors);
     for (uint32_t i = 0; i < monitors.count; i++) {
         doctor_line(doctor, line, sizeof line, "/sys/class/hwmon/%.64s/name", monitors.name[i]);
@@ -79,6 +83,8 @@ static void check_power(struct doctor *doctor, uint32_t bits, bool is_measured,
     }
 }
 
+/* The firmware also throttles a processor whose supply voltage is too low. Therefore the advice
+ * names the supply first if the voltage is or was too low. */
 static void check_heat(struct doctor *doctor, uint32_t bits)
 {
     const uint32_t heat = FREQUENCY_CAPPED | THROTTLED | SOFT_TEMPERATURE_LIMIT;
@@ -90,8 +96,13 @@ static void check_heat(struct doctor *doctor, uint32_t bits)
                  : was_slow ? "was throttled since the start"
                             : "not throttled");
     if (is_slow || was_slow) {
-        doctor_todo(finding, "clean the vents, add a fan or a larger heat sink, and keep the "
-                             "cabinet out of the sun");
+        doctor_todo(finding,
+                    "%sclean the vents, add a fan or a larger heat sink, and keep the cabinet out "
+                    "of the sun",
+                    ((bits | bits >> PAST_SHIFT) & UNDER_VOLTAGE) == 0
+                        ? ""
+                        : "repair the supply first, because a low voltage also slows the "
+                          "processor; if the processor is then still throttled, ");
     }
 }
 
@@ -191,8 +202,27 @@ struct log_findings {
     char last[DOCTOR_TEXT];
 };
 
+/* Returns true if a message of the kernel reports an error of a memory card. The message names a
+ * block device (mmcblk0), or begins with the host of a block device: "mmc0:" belongs to mmcblk0. A
+ * host without a block device is for example the Wi-Fi chip, whose driver also reports a missing
+ * optional file. The text "errors=" is an option of a mount. */
+static bool is_card_error(const struct doctor *doctor, const char *message)
+{
+    static const char *const words[] = { "error", "failed", "timeout", "read-only" };
+    char is_locked[8] = "";
+    bool is_error = false;
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        is_error |= strcasestr(message, words[i]) != NULL;
+    }
+    if (is_error && strncmp(message, "mmc", 3) == 0 && isdigit((unsigned char)message[3])) {
+        doctor_line(doctor, is_locked, sizeof is_locked, "/sys/block/mmcblk%u/ro",
+                    (unsigned)strtoul(message + 3, NULL, 10));
+    }
+    return is_error && (is_locked[0] || strstr(message, "mmcblk")) && !strstr(message, "errors=");
+}
+
 /* Reads the kernel log, /dev/kmsg, to its present end. A record has the form
- * "6,339,5140900,-;message". */
+ * "6,339,5140900,-;message". The first number is below 8 if the kernel wrote the message. */
 static void read_log(const struct doctor *doctor, struct log_findings *log)
 {
     static char record[8192]; /* The kernel refuses to write a record to a smaller buffer. */
@@ -208,7 +238,7 @@ static void read_log(const struct doctor *doctor, struct log_findings *log)
     while (file_read_line(file, line, sizeof line) != FILE_LINE_END) {
         const char *message = strchr(line, ';');
         message = message ? message + 1 : line;
-        if (strstr(message, "mmcblk") && strcasestr(message, "error")) {
+        if (strtoul(line, NULL, 10) < 8u && is_card_error(doctor, message)) {
             log->card_errors++;
             snprintf(log->last, sizeof log->last, "%.200s", message);
             printable(log->last);
@@ -231,8 +261,8 @@ static void check_card(struct doctor *doctor, const char *card, const struct log
         doctor_state(finding, "is read-only: a worn card protects itself in this way");
     } else if (log->card_errors > 0) {
         finding->level = DOCTOR_WRONG;
-        doctor_state(finding, "%u errors in the kernel log, the last: %s", log->card_errors,
-                     log->last);
+        doctor_state(finding, "%u error%s in the kernel log, the last: %s", log->card_errors,
+                     log->card_errors == 1 ? "" : "s", log->last);
     } else if (strtoul(worn, NULL, 16) >= 2) { /* JEDEC eMMC: 1 normal, 2 warning, 3 urgent. */
         finding->level = DOCTOR_CHECK;
         doctor_state(finding, "reports that it is worn");

@@ -172,6 +172,20 @@ static void test_the_demo_option_needs_no_duration(void **state)
     assert_int_equal(asked(SET_LANGUAGE), LANGUAGE_JA);
 }
 
+static void test_a_wrong_duration_has_one_message_for_words_and_numbers(void **state)
+{
+    static const char *const values[] = { "abc", "0", "-3", "601", "" };
+    (void)state;
+    for (int i = 0; i < COUNT(values); i++) {
+        const char *const argv[] = { "kingyo", "--selftest-board", values[i] };
+        char expected[OPTIONS_ERROR_MAX];
+        snprintf(expected, sizeof expected,
+                 "--selftest-board: '%s' is wrong; expected 5 to 600 seconds", values[i]);
+        assert_int_equal(parse(COUNT(argv), argv), -1);
+        assert_string_equal(error, expected);
+    }
+}
+
 static const char *const wrong[][4] = {
     { "kingyo", "--fly", NULL },
     { "kingyo", "fish", NULL },
@@ -464,6 +478,7 @@ int main(void)
         cmocka_unit_test(test_too_many_controllers_or_lines_are_an_error),
         cmocka_unit_test(test_a_wrong_gpio_line_is_reported_with_its_error),
         cmocka_unit_test(test_the_demo_option_needs_no_duration),
+        cmocka_unit_test(test_a_wrong_duration_has_one_message_for_words_and_numbers),
         cmocka_unit_test(test_a_wrong_option_gives_one_message_that_names_the_option),
         cmocka_unit_test(test_the_fish_count_is_limited_by_the_tank),
         cmocka_unit_test(test_the_default_tank_is_festival_and_an_unknown_tank_is_an_error),
