@@ -17,12 +17,14 @@ image:
 	+@$(MAKE) --no-print-directory BOARD=desktop -j$(JOBS) $(card_arch:%=ARCH=%) $(image_programs)
 	@BUILD=$(BUILD) IMAGE=$(IMAGE) UPDATE_KEY='$(UPDATE_KEY)' board/image/$(image_script) $(BOARD)
 
-# The package has the system of the last `make image`, which must have had the matching UPDATE_KEY.
+# The package has the system of the last `make image`. A system without UPDATE_KEY would be the last one that a machine takes.
 ## package/update: Sign the last image as an update for a USB stick; SIGN_KEY=FILE
 update:
 	@board/setup.sh test
 	@test -f '$(SIGN_KEY)' || { echo 'update: SIGN_KEY names no secret key of minisign' >&2; exit 2; }
 	@test -f $(IMAGE)/root.sqfs || { echo 'update: no image; make image first' >&2; exit 2; }
+	@unsquashfs -cat $(IMAGE)/root.sqfs usr/lib/kingyo/update.pub >/dev/null 2>&1 || { \
+	    echo 'update: the image takes no updates; make image with UPDATE_KEY=FILE.pub first' >&2; exit 2; }
 	@board/image/update/make_package.sh $(IMAGE)/root.sqfs \
 	    "$$(sed -n 's/^board //p' $(IMAGE)/update-version)" "$$(sed -n 's/^version //p' $(IMAGE)/update-version)" \
 	    "$$(sed -n 's/^name //p' $(IMAGE)/update-version)" '$(SIGN_KEY)' $(IMAGE)/kingyo-update

@@ -174,4 +174,26 @@ cuts() {
     return 1
 }
 check 'a power cut before each write leaves the old system or the complete new one' cuts
+
+# ---- make update
+update() { # FOLDER: Makes an update of an image whose system has the files of FOLDER.
+    local image=$work/build/image/vm
+    rm -rf "$work/build" && mkdir -p "$image" && mksquashfs "$1" "$image/root.sqfs" -quiet -no-progress >/dev/null &&
+        printf 'board vm\nversion 7\nname Kingyo 0.3\n' >"$image/update-version" &&
+        command make -s BUILD="$work/build" BOARD=vm SIGN_KEY="$work/key" update 2>&1
+}
+signs() {
+    mkdir -p "$work/system/usr/lib/kingyo" && cp "$key" "$work/system/usr/lib/kingyo/update.pub" &&
+        update "$work/system" && [ -s "$work/build/image/vm/kingyo-update/manifest.minisig" ]
+}
+refuses() {
+    mkdir -p "$work/bare/usr" && ! update "$work/bare" >"$work/said" &&
+        grep -qx 'update: the image takes no updates; make image with UPDATE_KEY=FILE.pub first' "$work/said"
+}
+if command -v mksquashfs >/dev/null; then
+    check 'make update signs the system of the last image' signs
+    check 'make update rejects an image without a key for updates' refuses
+else
+    skip 'make update' 'mksquashfs is not installed; board/setup.sh vm installs it'
+fi
 echo "1..$count"
