@@ -10,7 +10,6 @@
 #include "core/display_geometry.h"
 #include "core/input.h"
 #include "core/output.h"
-#include "core/poi/poi.h"
 #include "core/scene.h"
 #include "core/settings.h"
 #include "platform/hal.h"
@@ -132,7 +131,6 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
 #define CAMERA_HIDDEN_M 0.040f
 #define CAMERA_HIDES_FROM_M 0.12f
 #define CAMERA_HIDES_TO_M 0.30f
-_Static_assert(CAMERA_HIDDEN_M < POI_OUTER_RADIUS_M, "a poi at a wall is visible");
 
 /* One coordinate of a critically damped motion. */
 struct camera_spring {

@@ -13,6 +13,8 @@
 #include "core/tank/preset.h"
 #include "platform/kiosk/output_devices.h"
 
+_Static_assert(CAMERA_HIDDEN_M < POI_OUTER_RADIUS_M, "a poi at a wall is visible");
+
 #define FRAME_NS 16666667ull
 #define S 1000000000ull
 
