@@ -68,6 +68,8 @@ make_boot() {
     for file in ${boot_files:-}; do
         cp "$top/board/$file" "$folder/"
     done
+    # The inertial sensor for which Debian's kernel has a driver (board/poi/mpu6050.dts).
+    [ ! -f "$folder/poi.conf" ] || sed -i 's/^imu = bno055 /imu = mpu6050/' "$folder/poi.conf"
     raspi_config >"$folder/config.txt"
     echo "$boot_words" >"$folder/cmdline.txt"
     find "$folder" -exec touch -h -d "@$made_s" {} +
