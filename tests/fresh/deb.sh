@@ -59,7 +59,7 @@ if [ -n "$arch" ]; then
     hash_of() { sed -E 's/.*"state_hash": "([0-9a-f]+)".*/\1/'; }
     same_hash() { [ "$(inside kingyoctl tank --seconds 20 --json | hash_of)" = "$("$build/kingyoctl" tank --seconds 20 --json | hash_of)" ]; }
     check 'the tank has the hash of this machine after 20 s' same_hash
-    plays() { inside kingyo --demo 5 --window 160x120 --shots /tmp/shots && [ -s "$root/tmp/shots/contact-sheet.png" ]; }
+    plays() { inside kingyo --demo 5 --window 320x240 --shots /tmp/shots && [ -s "$root/tmp/shots/contact-sheet.png" ]; }
     check 'the game starts and draws pictures' plays
 fi
 
