@@ -54,7 +54,7 @@ static void cover(struct layer *layer, int32_t x, int32_t y, struct colour colou
 }
 
 /* Paints a line with round ends, from `a` with the radius `radius_a` to `b` with `radius_b`. The
- * left side of the line is lit more than its right side, so that it looks round. */
+ * left side is brighter than the right side, so that the line looks round. */
 static void paint_limb(struct layer *layer, struct point a, struct point b, float radius_a,
                        float radius_b, struct colour colour)
 {
@@ -88,8 +88,9 @@ static void paint_disc(struct layer *layer, struct point at, float radius_x, flo
     }
 }
 
-/* A piece of cloth or wood between two rows. Its width changes from `half_low` to `half_high`. The
- * colours `a` and `b` alternate in stripes of `stripe` texels. */
+/* A piece of cloth or wood between the rows `low` and `high`. Half its width is `half_low` at the
+ * first row and `half_high` at the second one. The colours `a` and `b` alternate in stripes of
+ * `stripe` texels. */
 struct sheet {
     float x, low, high, half_low, half_high, stripe;
     struct colour a, b;

@@ -83,8 +83,8 @@ struct poi {
     /* Speed at which the ring entered the water (> 0) or left the water (< 0) in this tick. 0 means
      * that the ring neither entered nor left the water. */
     float splash_m_s;
-    /* Mass of the water on the paper. Its weight counts only for the fraction of the disc that is
-     * in air. */
+    /* Mass of the water on the paper. The weight of this water counts only for the fraction of the
+     * disc that is in air. */
     float water_kg;
     /* The two parts of `water_kg`: the film on both faces of the paper (`film_kg`), and the pool in
      * its sag (`pool_kg`). */
@@ -108,7 +108,7 @@ struct poi {
     /* Tick numbers of the last slap sound and the last tear sound; 0 means that there was no sound
      * yet. */
     uint32_t slap_tick, tear_tick;
-    float tear_gain; /* Gain of the last tear sound. It affects sounds only. */
+    float tear_gain; /* Gain of the last tear sound. The gain affects sounds only. */
     struct sheet sheet;
     /* Effect of the last tick on the paper: number of torn cells and highest tension. */
     struct sheet_events strain;
