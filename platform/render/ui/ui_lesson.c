@@ -33,7 +33,7 @@ static void draw_mark(const struct ui_frame *frame, uint32_t player)
     const float radius = (1.5f - 0.5f * in + 0.1f * wide) * radius_m * at.px_per_m;
     const bool is_alone = ui_player_count(scene) <= 1u;
     const uint32_t colour = is_alone ? 0xffe9b0ffu : ui_player_colours[player];
-    const float width = fminf(4.0f * u, radius);
+    const float width = 4.0f * u;
     frame->batch->opacity = in;
     ui_ring(frame, at.x, at.y, radius + 2.0f * u, width + 4.0f * u, 1.0f, 0x0a0c2450u, 0);
     ui_glow(frame, ui_around(at.x, at.y, 1.5f * radius), ui_fade(colour, 0.24f + 0.16f * wide));

@@ -147,12 +147,13 @@ void ui_disc(const struct ui_frame *frame, float x, float y, float radius_px, fl
 void ui_ring(const struct ui_frame *frame, float x, float y, float radius_px, float width_px,
              float part, uint32_t fill, uint32_t line)
 {
-    CORE_ASSERT(radius_px >= width_px);
-    ui_shape(frame->batch, &(struct ui_shape){ .box = ui_around(x, y, radius_px),
-                                               .kind = UI_RING,
-                                               .fill = fill,
-                                               .line = line,
-                                               .shape = { radius_px, width_px, part } });
+    CORE_ASSERT(radius_px >= 0.0f && width_px >= 0.0f);
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = ui_around(x, y, radius_px),
+                                 .kind = UI_RING,
+                                 .fill = fill,
+                                 .line = line,
+                                 .shape = { radius_px, fminf(width_px, radius_px), part } });
 }
 
 void ui_glow(const struct ui_frame *frame, struct ui_box box, uint32_t fill)

@@ -114,7 +114,8 @@ void ui_veil(const struct ui_frame *frame, uint32_t colour);
 void ui_disc(const struct ui_frame *frame, float x, float y, float radius_px, float border_px,
              uint32_t fill, uint32_t line);
 /* Draws a ring that is centred at (x, y). The fraction `part` [0, 1] of the ring has the colour
- * `fill`, clockwise from the top. The rest of the ring has the colour `line`. */
+ * `fill`, clockwise from the top. The rest of the ring has the colour `line`. A `width_px` that is
+ * greater than the radius fills the whole disc. */
 void ui_ring(const struct ui_frame *frame, float x, float y, float radius_px, float width_px,
              float part, uint32_t fill, uint32_t line);
 /* Draws a glow that adds light to the picture. `fill` is the colour in the middle of the box. */

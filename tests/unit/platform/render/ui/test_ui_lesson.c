@@ -115,6 +115,28 @@ static void test_the_arrow_runs_from_the_poi_to_the_bowl(void **state)
     }
 }
 
+/* A window manager may ignore the smallest size of the window. The camera then stands so far from
+ * the tank that the line of a lesson's ring is wider than the ring. Such a ring must become a disc.
+ */
+static void test_a_ring_that_is_far_away_becomes_a_disc(void **state)
+{
+    (void)state;
+    set_round(1);
+    scene.lesson[0] =
+        (struct scene_lesson){ .marks_fish = 1, .fish = 2, .mark_s = 1.0f, .points_to_bowl = 1 };
+    scene.fish[2].position_m = scene.bowl[0].position_m = v3(0.0f, 0.0f, -20.0f);
+    for (uint32_t i = 0; i < SIZE_COUNT; i++) {
+        uint32_t discs = 0;
+        lay_out(sizes[i]);
+        for (uint32_t k = 0; k < batch.quad_count; k++) {
+            const float *const shape = batch.vertices[4u * k].shape;
+            assert_true(batch.kinds[k] != UI_RING || shape[0] >= shape[1]);
+            discs += batch.kinds[k] == UI_RING && shape[0] == shape[1];
+        }
+        assert_in_range(discs, 1, 3);
+    }
+}
+
 static void test_the_lessons_of_four_players_fit_the_batch(void **state)
 {
     (void)state;
@@ -250,6 +272,7 @@ int main(void)
         cmocka_unit_test(test_the_ring_is_around_the_marked_fish),
         cmocka_unit_test(test_the_rings_of_several_players_have_their_numbers),
         cmocka_unit_test(test_the_arrow_runs_from_the_poi_to_the_bowl),
+        cmocka_unit_test(test_a_ring_that_is_far_away_becomes_a_disc),
         cmocka_unit_test(test_the_lessons_of_four_players_fit_the_batch),
         cmocka_unit_test(test_the_ghost_is_drawn_where_its_ring_is),
         cmocka_unit_test(test_the_hint_of_a_single_player_has_words_inside_the_screen),
