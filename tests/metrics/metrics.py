@@ -112,6 +112,7 @@ FEATURE_LINES = {
     'rim and counter from a kept picture while the camera moves, on each orientation and width of a screen': 88,
     'passers-by with sandals, strips of water that a near camera hides, and soft streaks of lanterns': 57,
     'errors of a memory card by its host, bits of the supply that cannot be read, and the supply before the vents': 22,
+    'refraction that joins the parts of a poi in water and air': 38,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.

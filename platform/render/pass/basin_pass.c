@@ -6,6 +6,7 @@
 
 #include "core/base/panic.h"
 #include "platform/render/gl_util.h"
+#include "platform/render/pass/poi_pass.h"
 #include "shaders.h"
 
 /* A corner of the tank. The coordinates are small integers. The vertex shaders water.vert.glsl and
@@ -229,6 +230,25 @@ static void add_wind(struct basin_pass *pass, const struct wind_wave *wave, vec3
  * widths in the festival tank and 0.89 in the deep tank of the 2013 thesis. */
 #define SEEN_SLOPE_MAX 0.05f
 
+/* Reduces the slopes in pass->waves around a poi near the surface (poi_refraction_share()). */
+static void calm_waterline(struct basin_pass *pass, const struct scene *scene,
+                           const struct scene_poi *poi)
+{
+    const float reach_m = poi_calm_reach_m(poi);
+    const float cell_x_m = scene->tank_size_m.x / (float)RIPPLE_X;
+    const float cell_z_m = scene->tank_size_m.z / (float)RIPPLE_Z;
+    const struct basis axes = vec_basis_from_angles(poi->angles);
+    for (uint32_t z = 0; z < RIPPLE_Z; z++) {
+        const float z_m = ((float)z + 0.5f) * cell_z_m - 0.5f * scene->tank_size_m.z;
+        for (uint32_t x = 0; f_abs(z_m - poi->position_m.z) < reach_m && x < RIPPLE_X; x++) {
+            const float x_m = ((float)x + 0.5f) * cell_x_m - 0.5f * scene->tank_size_m.x;
+            const float share = poi_refraction_share(poi, &axes, x_m, z_m);
+            pass->waves[z][x][0] *= share;
+            pass->waves[z][x][1] *= share;
+        }
+    }
+}
+
 void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene)
 {
     CORE_ASSERT(scene->tank_size_m.x > 0.0f && scene->tank_size_m.z > 0.0f);
@@ -239,11 +259,20 @@ void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene)
     }
     for (uint32_t z = 0; z < RIPPLE_Z; z++) {
         for (uint32_t x = 0; x < RIPPLE_X; x++) {
+            pass->waves[z][x][0] += (float)scene->slope[z][x][0];
+            pass->waves[z][x][1] += (float)scene->slope[z][x][1];
+        }
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (poi_is_below(&scene->poi[i])) {
+            calm_waterline(pass, scene, &scene->poi[i]);
+        }
+    }
+    for (uint32_t z = 0; z < RIPPLE_Z; z++) {
+        for (uint32_t x = 0; x < RIPPLE_X; x++) {
             uint16_t *const texel = pass->slopes[z][x];
-            const float along_x =
-                SLOPE_UNIT * ((float)scene->slope[z][x][0] + pass->waves[z][x][0]);
-            const float along_z =
-                SLOPE_UNIT * ((float)scene->slope[z][x][1] + pass->waves[z][x][1]);
+            const float along_x = SLOPE_UNIT * pass->waves[z][x][0];
+            const float along_z = SLOPE_UNIT * pass->waves[z][x][1];
             const float seen = SEEN_SLOPE_MAX / f_sqrt(SEEN_SLOPE_MAX * SEEN_SLOPE_MAX +
                                                        along_x * along_x + along_z * along_z);
             texel[0] = half_float(along_x);

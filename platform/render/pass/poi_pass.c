@@ -238,6 +238,29 @@ bool poi_is_above(const struct scene_poi *poi)
     return poi->present && extent(poi, 1.0f) > 0.0f;
 }
 
+/* Height in metres above or below the water, up to which a poi makes the refraction smaller. */
+#define CALM_HEIGHT_M 0.030f
+/* Width in metres of the soft edge, around the ring, of the area with smaller refraction. */
+#define CALM_EDGE_M 0.02f
+
+float poi_calm_reach_m(const struct scene_poi *poi)
+{
+    return RING_REACH * poi->ring_radius_m + CALM_EDGE_M;
+}
+
+float poi_refraction_share(const struct scene_poi *poi, const struct basis *axes, float x_m,
+                           float z_m)
+{
+    const vec3 off = v3(x_m - poi->position_m.x, 0.0f, z_m - poi->position_m.z);
+    const float away_m = v3_length(off);
+    const float reach_m = poi_calm_reach_m(poi);
+    /* The plane of a steep poi has no height beside the poi. */
+    const float steep = f_max(f_abs(axes->up.y), 0.2f) * (axes->up.y < 0.0f ? -1.0f : 1.0f);
+    const float height_m = poi->position_m.y - v3_dot(off, axes->up) / steep;
+    return f_max(f_smoothstep(0.0f, CALM_HEIGHT_M, f_abs(height_m)),
+                 f_smoothstep(reach_m - CALM_EDGE_M, reach_m, away_m));
+}
+
 void poi_pose_of_axes(float out[16], vec3 position_m, const struct basis *axes, float scale)
 {
     CORE_ASSERT(scale > 0.0f);

@@ -70,6 +70,16 @@ bool poi_is_below(const struct scene_poi *poi);
 /* Returns true if any part of the poi is above the water surface. */
 bool poi_is_above(const struct scene_poi *poi);
 
+/* Returns the largest horizontal distance in metres from the centre of the poi at which
+ * poi_refraction_share() is below 1. */
+float poi_calm_reach_m(const struct scene_poi *poi);
+/* Returns the share, from 0 to 1, of the refraction that the water surface has at a point. `axes`
+ * are the axes of poi->angles. The picture of all objects in the water is shifted as if they lay on
+ * the floor. The share is therefore 0 where the paper and the ring cross the surface, so that the
+ * part of the poi in the water joins the part in the air without a gap. */
+float poi_refraction_share(const struct scene_poi *poi, const struct basis *axes, float x_m,
+                           float z_m);
+
 /* Draws the ring and the handle of one poi into a render target with a depth buffer. */
 void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi);
 /* Draws the paper of poi number `index` of the scene with blending, into a render target with a

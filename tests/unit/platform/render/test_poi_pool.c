@@ -1,5 +1,5 @@
 /* test_poi_pool.c -- Tests the pool of water that is drawn on a poi: its level surface, its volume
- * and its position. */
+ * and its position. Also tests the refraction around a poi that crosses the water surface. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -107,6 +107,32 @@ static void test_sagging_level_paper_holds_the_pool_in_the_middle(void **state)
     assert_true(height_m(&poi, 0.0f, -0.95f) > pool.level_m);
 }
 
+/* Returns the share of the refraction at the horizontal offset (x_m, z_m) from the ring's centre. */
+static float share(const struct scene_poi *poi, float x_m, float z_m)
+{
+    const struct basis axes = vec_basis_from_angles(poi->angles);
+    return poi_refraction_share(poi, &axes, poi->position_m.x + x_m, poi->position_m.z + z_m);
+}
+
+static void test_refraction_vanishes_only_where_the_poi_crosses_the_surface(void **state)
+{
+    (void)state;
+    struct scene_poi poi = poi_with(0.0f, 0.0f, 0.0f, 0.0f);
+    poi.angles = (struct angles){ .pitch_rad = 60.0f * F_DEG };
+    poi.position_m.y = 0.0f;
+    /* The left and the right end of the ring are at the surface. Its far and its near end are 3 cm
+     * above and below the surface. */
+    assert_float_equal(share(&poi, RADIUS_M, 0.0f), 0.0f, 0.001f);
+    assert_float_equal(share(&poi, -RADIUS_M, 0.0f), 0.0f, 0.001f);
+    assert_float_equal(share(&poi, 0.0f, 0.5f * RADIUS_M), 1.0f, 0.001f);
+    assert_float_equal(share(&poi, 0.0f, -0.5f * RADIUS_M), 1.0f, 0.001f);
+    assert_float_equal(share(&poi, poi_calm_reach_m(&poi), 0.0f), 1.0f, 0.001f);
+    poi.angles = (struct angles){ 0 };
+    assert_float_equal(share(&poi, 0.01f, 0.01f), 0.0f, 0.001f);
+    poi.position_m.y = -0.05f;
+    assert_float_equal(share(&poi, 0.01f, 0.01f), 1.0f, 0.001f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -115,6 +141,7 @@ int main(void)
         cmocka_unit_test(test_the_drawn_volume_equals_the_water_volume_at_any_tilt),
         cmocka_unit_test(test_a_tilted_pool_moves_to_the_low_side),
         cmocka_unit_test(test_sagging_level_paper_holds_the_pool_in_the_middle),
+        cmocka_unit_test(test_refraction_vanishes_only_where_the_poi_crosses_the_surface),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
