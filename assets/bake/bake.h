@@ -20,10 +20,10 @@
 #define CAUSTICS_FRAMES 32u
 /* Width of a pattern of fish skin in texels. The width covers the body from the snout to the tail
  * root. */
-#define PATTERN_WIDTH 128u
+#define PATTERN_WIDTH 256u
 /* Height of a pattern of fish skin in texels. The height covers the body's girth once, beginning at
  * the back. */
-#define PATTERN_HEIGHT 64u
+#define PATTERN_HEIGHT 128u
 #define PATTERN_LAYERS 7u
 #define ENVIRONMENT_SIZE 128u
 /* Size in texels of each of the two pictures of the street behind the stall: night, and day. */

@@ -13,8 +13,8 @@
 /* Girth of the body in body lengths. With this girth, a round patch of the pattern is
  * also round on the body. */
 #define GIRTH 0.85f
-#define SCALE_ROWS 22.0f /* Number of rows of scales from the gill cover to the tail root. */
-#define SCALES_ROUND 12.0f
+#define SCALE_ROWS 31.0f /* Number of rows of scales from the gill cover to the tail root. */
+#define SCALES_ROUND 30.0f
 #define GILL 0.23f /* Position u of the border between head and trunk. The head has no scales. */
 
 struct patch {
@@ -101,32 +101,33 @@ static float redness(uint32_t layer, float u, float v)
     return noise_mix(design->base, 1.0f, patches) * above;
 }
 
-/* Returns the brightness of a scale at a point of the skin. The scales overlap toward the tail. A
- * scale is bright in the middle and dark below the rim of a neighbouring scale. */
-static float scale_light(float u, float v)
+/* Returns the brightness of a scale at a point of the skin. Each scale covers the head side of the
+ * next scale. A scale is bright near its rounded rim, and the rims are a fine dark net. */
+static float scale_light(uint32_t layer, float u, float v)
 {
     const float row = (u - GILL) / (1.0f - GILL) * SCALE_ROWS;
-    float best = 0.0f;
-    /* Up to three overlapping rows of scales may cover the point (u, v). The frontmost row is
-     * visible. */
+    float light = 0.5f;
+    /* The scales of up to three rows cover the point (u, v). The scale nearest to the head is the
+     * visible one. */
     for (int32_t i = 0; i < 3; i++) {
         const float centre = floorf(row) - (float)i + 0.5f;
         const float odd = fmodf(centre - 0.5f + 64.0f, 2.0f) * 0.5f;
-        float dv = v * SCALES_ROUND + odd;
-        dv -= floorf(dv) + 0.5f;
-        const float du = row - centre;
-        const float d = sqrtf(du * du * 0.55f + dv * dv * 2.4f);
-        best = fmaxf(best, noise_ramp(1.02f, 0.62f, d) * (1.0f - 0.16f * (float)i) *
-                               (0.78f + 0.22f * noise_ramp(-0.2f, 0.9f, du)));
+        const float column = v * SCALES_ROUND + odd;
+        const float du = row - centre, dv = column - floorf(column) - 0.5f;
+        const float d = sqrtf(du * du * 0.40f + dv * dv * 2.6f);
+        if (d < 1.0f) {
+            const float own = noise_hash01((int32_t)centre, (int32_t)floorf(column), 300u + layer);
+            light = noise_mix(0.56f, 0.78f + 0.22f * own, noise_ramp(0.15f, 0.80f, d)) *
+                    (1.0f - 0.50f * noise_ramp(0.78f, 0.98f, d));
+        }
     }
     const float back = 0.5f + 0.5f * cosf(TAU * v);
-    const float fade = noise_ramp(GILL - 0.01f, GILL + 0.06f, u) * noise_ramp(0.05f, 0.35f, back);
+    const float fade = noise_ramp(GILL - 0.02f, GILL + 0.16f, u) * noise_ramp(0.05f, 0.35f, back);
     /* `flank` is the distance of the point from the middle of the right or left flank, as a
      * fraction of the girth. */
     const float flank = 0.25f - fabsf(v - 0.5f);
     const float gill = expf(-powf((u - GILL - 0.03f * (fabsf(flank) - 0.12f)) / 0.011f, 2.0f));
-    return noise_mix(0.80f, 0.46f + 0.54f * best, fade) -
-           0.26f * gill * noise_ramp(0.13f, 0.05f, fabsf(flank));
+    return noise_mix(0.72f, light, fade) - 0.26f * gill * noise_ramp(0.13f, 0.05f, fabsf(flank));
 }
 
 void bake_patterns(uint8_t *rg8)
@@ -138,7 +139,7 @@ void bake_patterns(uint8_t *rg8)
                 const float v = ((float)y + 0.5f) / (float)PATTERN_HEIGHT;
                 uint8_t *texel = rg8 + ((layer * PATTERN_HEIGHT + y) * PATTERN_WIDTH + x) * 2u;
                 texel[0] = noise_to_u8(redness(layer, u, v));
-                texel[1] = noise_to_u8(scale_light(u, v));
+                texel[1] = noise_to_u8(scale_light(layer, u, v));
             }
         }
     }

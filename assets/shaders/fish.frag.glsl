@@ -8,7 +8,7 @@ in vec4 haze;
 #ifdef GLOSS
 in float gleam;
 #endif
-#ifdef SUNK
+#if defined(SUNK) || defined(SNOUT)
 in float out_m;
 #endif
 uniform sampler2DArray patterns;
@@ -35,18 +35,19 @@ void main()
     }
 #endif
     vec2 pattern = texture(patterns, skin.xyz).rg;
-    float pupil = clamp((0.62 - skin.x) * 8.0, 0.0, 1.0); // In an eye, u runs from the pupil to the
-                                                          // socket.
-    float red = mix(pattern.r, pupil, skin.w);
-    float scales = mix(pattern.g, 0.70, skin.w);
+    // In an eye, u runs from the pupil to the socket. A gold ring surrounds the dark pupil, and the
+    // dome of the eye outside the ring is dark.
+    float dome = clamp(abs(skin.x - 0.72) * 9.5 - 0.65, 0.0, 1.0);
+    float red = mix(pattern.r, dome, skin.w);
+    float scales = pattern.g;
     float gill = haze.w * max(1.0 - abs(skin.x - 0.252) * 45.0, 0.0);
     vec3 tint = mix(pale, stain, red) * ((0.42 + 0.84 * scales) * (1.0 - gill));
     // The skin is darker where it turns away from the viewer.
     float facing = clamp(turned_to * 2.4, 0.0, 1.0);
     tint *= 0.42 + 0.60 * (2.0 - facing) * facing;
 #ifdef GLOSS
-    // The lamps make a narrow line of gloss on wet skin, which the scales break.
-    float line = gleam + 0.09 * (scales - 0.62);
+    // The lamps make a line of gloss on wet skin, which the scales break.
+    float line = gleam + 0.22 * (scales - 0.75);
     line *= line;
     line *= line;
     line *= line;
@@ -56,6 +57,11 @@ void main()
     // The outline of a round body is where its surface turns away from the viewer. The outline
     // fades there over about a pixel, which smooths it.
     float cover = clamp(turned_to / fwidth(turned_to) + 0.15, 0.0, 1.0);
+#ifdef SNOUT
+    // The snout fades out from 0.5 mm to 4 mm below the surface, so that no edge shows where the
+    // picture of the sunk part begins.
+    cover *= clamp(out_m * 280.0 + 1.14, 0.0, 1.0);
+#endif
     // Each scale breaks up the gloss of the back.
     color = vec4(tint + haze.rgb * (1.50 * scales * scales), 1.0) * cover;
 }

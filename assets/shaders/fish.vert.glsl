@@ -42,7 +42,7 @@ out float turned_to;   // Cosine of the angle between normal and view direction,
 #ifdef GLOSS
 out float gleam;       // Cosine of the angle to the mirror image of the lamps, to the power 4.
 #endif
-#ifdef SUNK
+#if defined(SUNK) || defined(SNOUT)
 out float out_m;       // Height above the water surface in m.
 #endif
 out vec4 haze;         // Colour added by water and gloss. w: visibility of the edge of the gill
@@ -164,7 +164,7 @@ void main()
     n = right * n.x + up * n.y + back * n.z; // The texture has unit normals.
     gl_Position = view_projection * vec4(world, 1.0);
 
-#ifdef SUNK
+#if defined(SUNK) || defined(SNOUT)
     out_m = world.y;
 #endif
 #ifdef SNOUT
@@ -209,14 +209,16 @@ void main()
     gleam = shine;
 #endif
     shine *= shine;
+    // Wet skin in air has a narrow highlight. In water the highlight is wide and faint.
+    float wide = 0.20 * shine;
     shine *= shine;
-    // Wet skin in air has a narrower highlight than skin in water, but is not brighter elsewhere.
-    float gloss = mix(0.48 * shine, 0.90 * shine * shine, wet) * (1.0 - shade);
+    float gloss = mix(wide, 0.80 * shine * shine, wet) * (1.0 - shade);
+#ifdef GLOSS
+    gleam *= 0.86 + 0.17 * wet - 0.1 * shade;
+    gloss *= 0.7; // The fragment shader adds the rest as a narrow line.
+#else
     // A highlight of a few pixels would sparkle, so that small fish have little gloss.
     gloss *= clamp(place.w / gl_Position.w * 40.0 - 0.8, 0.2, 1.0);
-#ifdef GLOSS
-    gleam *= 1.02 - 0.1 * shade;
-    gloss *= 0.7; // The fragment shader adds the rest as a narrow line.
 #endif
 #endif
     haze = vec4(0.0);

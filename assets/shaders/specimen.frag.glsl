@@ -13,6 +13,7 @@ uniform vec4 look; // Opacity, number of scales along the body, transparency of 
 uniform vec4 tint;
 uniform sampler2DArray patterns; // Patterns of the individual goldfish.
 uniform vec4 worn;               // Pattern layer, hue, visibility of the pattern, maturity.
+uniform vec3 worn_red;           // Colour of the goldfish where its pattern is red.
 
 out vec4 color;
 
@@ -23,16 +24,8 @@ const vec3 BELOW = vec3(0.14, 0.24, 0.28); // Ambient light from below, through 
 const vec3 EDGE = vec3(0.36, 0.48, 0.56);
 const float PUPIL = 0.56; // Radius of the pupil, as a fraction of the eye's visible radius.
 
-// Colours of a black goldfish, as in fish_colours.c.
-const vec3 BLACK = vec3(0.055, 0.048, 0.045);
+// Colour of a black goldfish where its pattern is white, as in fish_colours.c.
 const vec3 BRONZE = vec3(0.42, 0.30, 0.16);
-
-// Returns the red of a goldfish with this hue. The colours range from vermilion to, rarely, orange.
-// A hue above 1 is a black fish.
-vec3 red_of(float hue)
-{
-    return hue > 1.0 ? BLACK : mix(vec3(1.0, 0.085, 0.015), vec3(1.0, 0.40, 0.03), hue * hue * hue);
-}
 
 // Colour of a young goldfish.
 const vec3 FRY = vec3(0.45, 0.36, 0.20);
@@ -48,13 +41,12 @@ float turned(float maturity, float ahead)
 // tank, fish_colours.c computes the same colours.
 void goldfish_skin(float under, float maturity, float hue, out vec3 pale, out vec3 stain)
 {
-    float belly = smoothstep(0.52, 0.96, under);
-    vec3 red = red_of(hue);
+    float belly = smoothstep(0.36, 0.92, under);
     vec3 white = hue > 1.0 ? BRONZE : WHITE;
-    vec3 below = mix(white, red, 0.25);
+    vec3 below = mix(white, worn_red, 0.25);
     vec3 young = mix(FRY * (0.62 + 0.38 * under), vec3(0.82, 0.74, 0.56), belly);
     pale = mix(young, mix(white, below, 0.55 * belly), turned(maturity, 0.10 * belly - 0.06));
-    stain = mix(young, mix(red, below, 0.55 * belly), turned(maturity, 0.10 * belly + 0.06));
+    stain = mix(young, mix(worn_red, below, 0.80 * belly), turned(maturity, 0.10 * belly + 0.06));
 }
 
 // Returns the colour of a goldfish's fins at (u, v), the coordinates of species.h. `layer` is the
@@ -67,7 +59,7 @@ vec3 goldfish_fin(vec2 at, float maturity, float hue, float layer)
     plain = layer < 2.5 ? 0.45 + 0.55 * plain : plain;
     float stained = smoothstep(0.30, 0.72, plain + 0.20 * sin(at.x * 9.0 + hue * 20.0) + 0.25 * root);
     vec3 white = hue > 1.0 ? BRONZE : WHITE;
-    vec3 tint = mix(white, red_of(hue), stained);
+    vec3 tint = mix(white, worn_red, stained);
     return mix(mix(FRY * 1.25, tint, turned(maturity, 0.0)), WHITE, 0.22 * at.y);
 }
 

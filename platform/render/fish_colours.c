@@ -1,8 +1,5 @@
-/* fish_colours.c -- the colours of a goldfish, computed once for each fish instead of each vertex.
- *  */
+/* fish_colours.c -- the colours of a goldfish, computed once for each fish. */
 #include "platform/render/fish_colours.h"
-
-#include <stdbool.h>
 
 #include "core/base/fmath.h"
 
@@ -33,14 +30,27 @@ static float fraction(float value)
     return value - f_floor(value);
 }
 
+void fish_colours_red(float red[3], float hue)
+{
+    static const float deep[3] = { 0.82f, 0.10f, 0.05f };
+    static const float vermilion[3] = { 1.0f, 0.23f, 0.07f };
+    static const float orange[3] = { 1.0f, 0.44f, 0.10f };
+    static const float gold[3] = { 1.0f, 0.60f, 0.20f };
+    const float to_vermilion = f_smoothstep(0.0f, 0.36f, hue);
+    const float to_orange = f_smoothstep(0.48f, 0.90f, hue);
+    const float to_gold = f_smoothstep(0.86f, 1.0f, hue);
+    for (int i = 0; i < 3; i++) {
+        const float plain = f_lerp(deep[i], vermilion[i], to_vermilion);
+        const float bright = f_lerp(f_lerp(plain, orange[i], to_orange), gold[i], to_gold);
+        red[i] = hue > 1.0f ? black[i] : bright;
+    }
+}
+
 void fish_colours_compute(struct fish_colours *colours, float maturity, float hue, float layer)
 {
-    const bool is_black = hue > 1.0f;
-    const float orange = hue * hue * hue;
-    const float vermilion[3] = { 1.0f, f_lerp(0.085f, 0.40f, orange),
-                                 f_lerp(0.015f, 0.03f, orange) };
-    const float *const red = is_black ? black : vermilion;
-    const float *const white = is_black ? bronze : silver;
+    float red[3];
+    fish_colours_red(red, hue);
+    const float *const white = hue > 1.0f ? bronze : silver;
     const float fin = turned(maturity, 0.0f);
     for (int i = 0; i < 3; i++) {
         const float below = f_lerp(white[i], red[i], 0.25f);
@@ -50,7 +60,7 @@ void fish_colours_compute(struct fish_colours *colours, float maturity, float hu
         colours->pale_belly[i] =
             f_lerp(fry_belly[i], f_lerp(white[i], below, 0.55f), turned(maturity, 0.04f));
         colours->stain_belly[i] =
-            f_lerp(fry_belly[i], f_lerp(red[i], below, 0.55f), turned(maturity, 0.16f));
+            f_lerp(fry_belly[i], f_lerp(red[i], below, 0.80f), turned(maturity, 0.16f));
         colours->pale_fin[i] = f_lerp(FRY_FIN * fry[i], white[i], fin);
         colours->stain_fin[i] = f_lerp(FRY_FIN * fry[i], red[i], fin);
     }
@@ -62,12 +72,15 @@ void fish_colours_compute(struct fish_colours *colours, float maturity, float hu
 
 void fish_colours_illuminate(struct fish_colours *colours, const float light[3])
 {
+    const float brightest = f_max(light[0], f_max(light[1], light[2]));
+    const float knee = 1.45f / (1.0f + 0.75f * brightest);
     for (int i = 0; i < 3; i++) {
-        colours->pale_back[i] *= light[i];
-        colours->stain_back[i] *= light[i];
-        colours->pale_belly[i] *= light[i];
-        colours->stain_belly[i] *= light[i];
-        colours->pale_fin[i] *= light[i];
-        colours->stain_fin[i] *= light[i];
+        const float here = light[i] * knee;
+        colours->pale_back[i] *= here;
+        colours->stain_back[i] *= here;
+        colours->pale_belly[i] *= here;
+        colours->stain_belly[i] *= here;
+        colours->pale_fin[i] *= here;
+        colours->stain_fin[i] *= here;
     }
 }

@@ -14,9 +14,14 @@ struct fish_colours {
     float pale_fin[4], stain_fin[3];
 };
 
+/* Computes the colour of a goldfish where its pattern is red. A `hue` in [0, 1] gives deep red over
+ * vermilion and orange to a rare pale gold. A larger hue gives black. */
+void fish_colours_red(float red[3], float hue);
+
 /* Computes the colours of a fish. `maturity` is as in struct scene_fish. `hue` and `layer` are the
  * results of textures_hue() and textures_pattern(). */
 void fish_colours_compute(struct fish_colours *colours, float maturity, float hue, float layer);
 
-/* Multiplies all colours by the red, green and blue of `light`. */
+/* Multiplies all colours by the red, green and blue of `light`. Strong light is attenuated, so that
+ * a fish below a bulb keeps its shading. */
 void fish_colours_illuminate(struct fish_colours *colours, const float light[3]);

@@ -65,7 +65,7 @@ static void pack_mouth(uint8_t out[2], const struct species_mesh *source, uint32
 static void pack_weights(uint8_t out[MORPH_CURVE_MAX], const struct species_vertex *vertex)
 {
     const float under = 1.0f - f_abs(vertex->v * 2.0f - 1.0f); /* 0 at the back, 1 at the belly. */
-    const float belly = f_smoothstep(0.52f, 0.96f, under);
+    const float belly = f_smoothstep(0.36f, 0.92f, under);
     const float ridge =
         (1.0f - f_smoothstep(0.0f, 0.42f, under)) * f_smoothstep(0.0f, 0.12f, vertex->u);
     const float gill = f_smoothstep(0.15f, 0.35f, under) * (1.0f - 0.6f * belly);
@@ -91,6 +91,8 @@ static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_
     memcpy(rest + SURFACE_SIZE, vertex->mask, MORPH_CURVE_MAX);
     if (is_tank) {
         pack_weights(rest + SURFACE_SIZE, vertex);
+        /* An eye has the v of the belly, where the pattern has no scales. */
+        rest[1] = vertex->part == PART_EYE ? UINT8_MAX / 2u : rest[1];
     }
     rest[SURFACE_SIZE + MORPH_CURVE_MAX] = vertex->anchor;
     rest[SURFACE_SIZE + MORPH_CURVE_MAX + 1u] = vertex->side;

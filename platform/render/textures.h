@@ -26,7 +26,7 @@ void textures_open(struct gl_status *status, struct textures *textures);
  * `look` (see struct scene_fish). */
 float textures_pattern(uint32_t look);
 /* Returns the hue of a fish with the appearance number `look` (see struct scene_fish): [0, 1] from
- * vermilion to orange, and above 1, up to 2, for a black fish. */
+ * deep red to pale gold, and above 1, up to 2, for a black fish. */
 float textures_hue(uint32_t look);
 
 /* Returns the variety of a fish with the appearance number `look` (see struct scene_fish). The

@@ -6,6 +6,7 @@
 
 #include "core/base/panic.h"
 #include "platform/os/clock.h"
+#include "platform/render/fish_colours.h"
 #include "platform/render/gl_util.h"
 #include "shaders.h"
 
@@ -221,6 +222,9 @@ static void send_specimen_uniforms(const struct specimen_program *program,
     glUniform4fv(program->tint, 1, tint);
     glUniform4f(program->worn, textures_pattern(specimen->look), textures_hue(specimen->look),
                 specimen->ripe, specimen->maturity);
+    float red[3];
+    fish_colours_red(red, textures_hue(specimen->look));
+    glUniform3fv(program->worn_red, 1, red);
     glUniform3fv(program->sheets, 1, values->sheets);
     for (GLint i = 0; i < (GLint)FISH_TEXTURE_LINES && program->line_place >= 0; i++) {
         glUniform4fv(program->line_place + i, 1, values->lines[i].place);

@@ -25,7 +25,7 @@
  * position of the picture on the screen. */
 #define SPECIMEN_UNIFORMS                                                                          \
     X(screen_px) X(turn) X(move) X(reach) X(axes) X(place) X(swim) X(look) X(tint) X(sheets)       \
-    X(worn) X(line_place) X(line_shape) X(line_colour)
+    X(worn) X(worn_red) X(line_place) X(line_shape) X(line_colour)
 /* clang-format on */
 
 /* A shader program, and the location of each uniform in it. */

@@ -107,7 +107,8 @@ static void test_sagging_level_paper_holds_the_pool_in_the_middle(void **state)
     assert_true(height_m(&poi, 0.0f, -0.95f) > pool.level_m);
 }
 
-/* Returns the share of the refraction at the horizontal offset (x_m, z_m) from the ring's centre. */
+/* Returns the share of the refraction at the horizontal offset (x_m, z_m) from the centre of the
+ * ring. */
 static float share(const struct scene_poi *poi, float x_m, float z_m)
 {
     const struct basis axes = vec_basis_from_angles(poi->angles);

@@ -125,6 +125,36 @@ static void test_a_black_fish_is_dark_at_the_back_and_bronze_when_young(void **s
     assert_true(young.stain_back[1] > 1.5f * young.stain_back[2]);
 }
 
+/* The hue of a fish decides how much green its red skin has. Few fish are gold. */
+static void test_red_fish_range_from_deep_red_to_pale_gold(void **state)
+{
+    (void)state;
+    uint32_t deep = 0, orange = 0, gold = 0;
+    for (uint32_t i = 0; i < FISH_COUNT; i++) {
+        float red[3];
+        fish_colours_red(red, (float)i / (float)(FISH_COUNT - 1u));
+        assert_true(red[0] > red[1] && red[1] > red[2]);
+        deep += red[1] < 0.16f;
+        orange += red[1] > 0.33f && red[1] < 0.52f;
+        gold += red[1] >= 0.52f;
+    }
+    assert_in_range(deep, FISH_COUNT / 10u, FISH_COUNT / 4u);
+    assert_in_range(orange, FISH_COUNT / 10u, FISH_COUNT / 3u);
+    assert_in_range(gold, FISH_COUNT / 50u, FISH_COUNT / 10u);
+}
+
+static void test_strong_light_is_attenuated_and_keeps_its_colour(void **state)
+{
+    (void)state;
+    struct fish_colours dim = { .stain_back = { 1.0f, 1.0f, 1.0f } };
+    struct fish_colours bright = dim;
+    fish_colours_illuminate(&dim, (const float[3]){ 0.4f, 0.4f, 0.4f });
+    fish_colours_illuminate(&bright, (const float[3]){ 2.0f, 1.5f, 1.0f });
+    assert_in_range((uint32_t)(dim.stain_back[0] * 1000.0f), 400u, 450u);
+    assert_in_range((uint32_t)(bright.stain_back[0] * 1000.0f), 1000u, 1250u);
+    assert_float_equal(bright.stain_back[1], 0.75f * bright.stain_back[0], 1e-5f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -133,6 +163,8 @@ int main(void)
         cmocka_unit_test(test_each_variety_has_the_topology_and_growth_of_the_wakin),
         cmocka_unit_test(test_a_demekin_has_telescope_eyes_and_both_varieties_have_a_wide_tail),
         cmocka_unit_test(test_a_black_fish_is_dark_at_the_back_and_bronze_when_young),
+        cmocka_unit_test(test_red_fish_range_from_deep_red_to_pale_gold),
+        cmocka_unit_test(test_strong_light_is_attenuated_and_keeps_its_colour),
     };
     return cmocka_run_group_tests_name("textures", tests, NULL, NULL);
 }
