@@ -16,7 +16,7 @@ const float STREAMS = 9.0;
 const float LOOSE_S = 0.22;
 const float STREAM_S = 0.18;
 const float GRAVITY = 9.81;
-const float RADIUS_M = 0.0019;
+const float RADIUS_M = 0.0022;
 
 float chance(float seed)
 {
@@ -43,10 +43,9 @@ void main()
     vec3 spread = vec3(chance(seed) - 0.5, 0.0, chance(seed + 0.5) - 0.5) * 0.014;
     at += streams ? vec3(0.0) : spread;
     at.y -= 0.5 * GRAVITY * drop * drop;
-    float swells = streams ? 0.7 : smoothstep(-0.25, 0.0, age);
-    float long_ = 1.0 + min(GRAVITY * drop, 1.0) * 1.6; // A falling drop is stretched by its speed,
-                                                        // as by motion blur.
-    long_ *= streams ? 2.8 : 1.0; // The drops of a stream overlap.
+    float swells = (0.55 + 0.6 * chance(seed + 0.2)) * (streams ? 1.0 : smoothstep(-0.25, 0.0, age));
+    float long_ = 1.15 + min(GRAVITY * drop, 1.0) * 0.75; // A falling drop is stretched a little by
+                                                          // its speed, as by motion blur.
     vec3 view = normalize(eye.xyz - at);
     vec3 side = normalize(vec3(view.z, 0.0, -view.x));
     vec3 up = cross(view, side);

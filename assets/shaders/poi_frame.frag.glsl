@@ -2,7 +2,7 @@ in vec3 face;
 in vec3 view;
 in vec3 middle;
 in vec3 left;
-in vec3 mark;
+in vec4 mark;
 uniform vec4 paint;             // Colour of the player.
 out vec4 color;
 
@@ -24,6 +24,8 @@ void main()
     float band = clamp((mark.y - abs(fract(mark.x) - 0.5)) * 30.0 + 0.5, 0.0, 1.0);
     vec3 plastic = mix(paint.rgb, vec3(1.0, 0.98, 0.94), band);
     vec3 tint = plastic * (lit + edge * edge * 0.25) + vec3(1.0, 0.95, 0.9) * (0.55 * shine);
-    color = vec4(mix(WATER_COLOR, tint, left), 1.0) * cover;
+    // The water climbs on the ring where it crosses the surface, as a bright line of foam.
+    float line = max(1.0 - abs(mark.w - 0.0004) * 700.0, 0.0);
+    color = vec4(mix(mix(WATER_COLOR, tint, left), vec3(0.93, 0.99, 1.0), 0.55 * line), 1.0) * cover;
 #endif
 }

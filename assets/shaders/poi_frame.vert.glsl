@@ -9,8 +9,8 @@ out vec3 face;
 out vec3 view;      // Direction to the viewer.
 out vec3 middle;    // Direction halfway between the viewer and the lamps.
 out vec3 left;      // Fraction of the light that passes through the water.
-out vec3 mark;      // x: a mark lies where the fraction of x is near 0.5. y: half of the width of a
-                    // mark. z: brightness below the fans.
+out vec4 mark;      // x: a mark lies where the fraction of x is near 0.5. y: half of the width of a
+                    // mark. z: brightness below the fans. w: height above the water surface in m.
 
 const float RING_END = 1.19;            // Coordinate z at which the handle leaves the ring.
 
@@ -30,6 +30,7 @@ void main()
     mark.x = is_ring ? (surface.x + 0.25) * paint.w : clamp((position.z - 2.0) / 0.30, 0.0, paint.w);
     mark.y = paint.w < 0.5 ? -1.0 : is_ring ? 0.05 * paint.w : 0.24;
     mark.z = 1.0 - 0.7 * shade_above(world);
+    mark.w = world.y;
     gl_Position = view_projection * vec4(world, 1.0);
 #endif
 }

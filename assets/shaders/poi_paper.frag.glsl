@@ -7,23 +7,24 @@ in vec4 gleam;
 uniform vec4 paper;             // z: 1 in the picture of the objects below the water, otherwise 0. w: danger
                                 // that the paper tears, 0 to 1.
 uniform vec2 pool;              // y: strength of the water film's reflections, from 0 to 1.
-uniform sampler2DArray sheet;   // r: wetness. g: integrity. b: presence of paper. a: stress.
+uniform sampler2DArray sheet;   // As in poi_sheet_cells().
 uniform sampler2D fibres;
 out vec4 color;
 
 #ifdef PRACTICE
 // Returns the colour of a stress between 0 (no load) and 1 (tearing load), from the colour of paper
 // over amber and red to a dark red. Brightness falls over the whole range, so that viewers with any
-// colour vision can read it. The ramp is the one in ui_tear.c.
+// colour vision can read it. The strong colours are those of the ramp in ui_tear.c.
 //
 // The ramp uses the square root of the stress, because most loads are about a tenth of the tearing
-// load. Half of the tearing load, which paper withstands for a minute, is red.
+// load. Paper with such a load is only slightly warmer than paper without a load. Half of the
+// tearing load, which paper withstands for a minute, is red.
 vec3 heat(float stress)
 {
     float t = sqrt(stress);
-    vec3 c = mix(vec3(1.0, 0.95, 0.85), vec3(0.98, 0.66, 0.16), smoothstep(0.05, 0.40, t));
-    c = mix(c, vec3(0.82, 0.17, 0.09), smoothstep(0.36, 0.70, t));
-    return mix(c, vec3(0.24, 0.02, 0.08), smoothstep(0.70, 1.0, t));
+    vec3 c = mix(vec3(1.0, 0.97, 0.92), vec3(0.98, 0.70, 0.30), smoothstep(0.26, 0.56, t));
+    c = mix(c, vec3(0.82, 0.17, 0.09), smoothstep(0.46, 0.72, t));
+    return mix(c, vec3(0.24, 0.02, 0.08), smoothstep(0.72, 1.0, t));
 }
 #endif
 
@@ -37,14 +38,11 @@ float fifth_powers(float x)     // Returns x to the 32nd power, the reflection o
 void main()
 {
     vec4 cell = texture(sheet, vec3(at, paper.y));
-    float fibre = texture(fibres, at * 1.7).r;
-    float frayed = texture(fibres, at * 3.1 + 0.3).r - 0.5;
-    float solid = cell.b + (fibre - 0.5) * 0.45 + frayed * 0.5;
-    // Some of the torn paper is left as flaps, which reach into the hole.
-    float flap = clamp(0.25 + 0.9 * sin(at.x * 23.0 + 2.0 * fibre) * sin(at.y * 19.0 + 1.0), 0.0, 1.0);
-    float edge = 0.5 - 0.42 * flap;
-    if (solid < edge || light.w * paper.z > 0.0) { // Only the paper below the water surface belongs to
-                                                  // the picture below the surface.
+    float fibre = texture(fibres, at * 2.3).r;
+    float frayed = texture(fibres, at * 4.1 + 0.3).r - 0.5;
+    float solid = cell.b + (fibre - 0.5 + frayed) * 0.16;
+    if (solid < 0.5 || light.w * paper.z > 0.0015) { // Only the paper below the water surface
+                                                     // belongs to the picture below the surface.
         discard;
     }
     // Water spreads along the fibres, so that the front of wet paper is soft and uneven.
@@ -52,29 +50,32 @@ void main()
     float wet = smoothstep(0.05, 0.75, cell.r + 0.45 * spread * (fibre - 0.5));
     float worn = 1.0 - cell.g;
     float thin = smoothstep(0.10, 0.85, worn);
-    // Torn paper curls. Its edge is bright, and the fold behind the edge is darker.
-    float torn = 1.0 - step(0.995, cell.b);
-    float lip = (1.0 - smoothstep(edge, edge + 0.16, solid)) * torn;
-    float fold = clamp(1.0 - abs(solid - 0.72) * (1.0 / 0.24), 0.0, 1.0) * torn;
-    vec3 dry = vec3(1.0, 0.975, 0.925) * (0.80 + 0.32 * fibre);
-    vec3 soaked = vec3(0.74, 0.83, 0.85) * (0.74 + 0.46 * fibre);
+    // Torn paper has a bright edge of fibres. Its flaps are crumpled and opaque, with a dark fold
+    // where they begin.
+    float lip = 1.0 - smoothstep(0.5, 0.64, solid);
+    float flap = clamp((1.0 - cell.b + 0.06 * frayed) * 7.0, 0.0, 1.0);
+    float fold = 4.0 * flap * (1.0 - flap);
+    float grain = 0.84 + 0.26 * fibre;
+    vec3 dry = vec3(1.0, 0.975, 0.925) * grain;
+    vec3 soaked = vec3(0.80, 0.86, 0.87) * grain;
     vec3 tint = mix(dry, soaked, wet);
-    float alpha = mix(0.95, 0.34 + 0.32 * fibre, wet) * (1.0 - (0.15 + 0.35 * thin) * worn * wet);
-    tint *= (1.0 - thin * vec3(0.22, 0.20, 0.18)) * (1.0 - 0.07 * spread);
+    // Paper in danger is thinner and wetter, most where worn.
+    float danger = paper.w * (0.5 + 0.5 * worn);
+    float alpha = mix(0.95, 0.42 + 0.24 * fibre, wet) * (1.0 - (0.15 + 0.35 * thin) * worn * wet - 0.30 * danger);
 #ifdef PRACTICE
-    tint = mix(dry, heat(cell.a) * (0.62 + 0.66 * fibre), 0.88 + 0.10 * wet);
+    tint *= heat(cell.a * step(0.99, cell.b));
+    alpha = max(alpha, 0.60 + 0.20 * fibre);
     float front = abs(cell.r - 0.4) / max(fwidth(cell.r), 0.004); // Distance from the border
                                                                   // between wet and dry paper.
-    tint *= 0.45 + 0.55 * smoothstep(0.7, 1.7, front);
-    alpha = 0.92 - (0.30 - 0.22 * fibre) * wet;
+    tint *= 0.60 + 0.40 * smoothstep(0.7, 1.7, front);
 #endif
-    tint *= light.x * (1.0 - paper.w * (0.40 + 0.24 * worn)); // Paper in danger is darker, most
-                                                              // where worn.
-    float hangs = 1.0 - smoothstep(edge, 0.66, solid); // A flap turns away from the light.
-    tint *= (1.0 - 0.30 * fold) * (1.0 - 0.22 * hangs * torn) * (1.0 - 0.55 * light.y);
-    tint = mix(tint, vec3(1.0, 0.98, 0.95), 0.40 * lip);
+    tint *= 1.0 - (0.20 * thin + 0.07 * spread);
+    tint *= 1.0 - danger * vec3(0.16, 0.22, 0.32);
+    tint = mix(tint, vec3(0.96, 0.95, 0.91) * grain, 0.8 * flap) * (1.0 - 0.20 * fold);
+    tint *= light.x * (1.0 - 0.55 * light.y);
     alpha += 0.30 * light.y * (1.0 - alpha);
-    alpha = mix(alpha, 0.95, max(0.8 * lip, 0.35 * fold));
+    alpha = mix(alpha, 0.92, max(flap, lip));
+    tint = mix(tint, vec3(1.0, 0.99, 0.97), 0.75 * lip);
     // In air, wet paper is less transparent than in water.
     alpha += (1.0 - paper.z) * alpha * (1.0 - alpha) * 0.9;
     // Water on the paper consists of a film, which shines with the fibres, and a level pool. The
@@ -107,5 +108,8 @@ void main()
 #else
     tint += min(glints, 0.32) * above;
 #endif
-    color = vec4(mix(WATER_COLOR, tint, water.rgb) * alpha, alpha);
+    // The water climbs on the fibres where its surface meets the paper.
+    float line = max(1.0 - abs(light.w - 0.0022 * frayed) * 420.0, 0.0) * (0.15 + 0.55 * fibre);
+    color = vec4(mix(WATER_COLOR, tint, water.rgb) * alpha, alpha)
+        + line * (1.0 - alpha * 0.5) * vec4(0.88, 0.96, 1.0, 1.0);
 }

@@ -1,5 +1,5 @@
-// The paper of a poi, a disc that sags under its load. Worn paper sags deeper, and the paper around
-// holes hangs down. The light that changes little between two vertices is computed here.
+// The paper of a poi, a disc that sags under its load. Worn paper sags deeper, and torn flaps hang
+// down. The light that changes little between two vertices is computed here.
 layout(location = 0) in vec2 position;  // Position in ring radii. y increases toward the handle.
 uniform mat4 pose;
 uniform vec4 paper;                     // x: sag in ring radii. y: layer of `sheet`.
@@ -7,7 +7,7 @@ uniform vec2 pool;                      // x: world height of the pool on the pa
 uniform vec4 rests[2];                  // Fish on this paper. xyz: centre. w: length in m; 0 means
                                         // no fish.
 uniform vec3 spines[2];
-uniform sampler2DArray sheet;           // As in poi_paper.frag.glsl.
+uniform sampler2DArray sheet;           // As in poi_sheet_cells().
 out vec2 at;
 out vec4 light;     // x: brightness. y: shadow of the fish on the paper. z: cosine of the angle
                     // between the normal and the direction halfway to the lamps. w: height above
@@ -27,7 +27,10 @@ float shade(vec3 world, vec4 rest, vec3 spine)
         * (1.0 - smoothstep(0.34, 0.62, abs(along) / max(rest.w, 1e-4)));
 }
 
-const float FLAP_RADII = 0.30;          // Length of a flap of torn paper in ring radii.
+const float FLAP_RADII = 0.55;          // Drop of a flap of torn paper whose distance to the edge
+                                        // is 1, in ring radii.
+const float SAG_SHOWN = 2.2;            // The sag is drawn larger than computed, because 1 or 2 mm
+                                        // are not visible.
 
 void main()
 {
@@ -35,23 +38,33 @@ void main()
     at = position * 0.5 + 0.5;
     vec4 cell = textureLod(sheet, vec3(at, paper.y), 0.0);
     float soft = cell.r * (1.0 - cell.g);
-    vec3 local = vec3(position.x, -(paper.x + 0.05 * soft) * (1.0 - r2), position.y);
+    float belly = 1.0 - r2;
+    float extra = ((SAG_SHOWN - 1.0) * paper.x + 0.05 * soft) * belly;
+    vec3 local = vec3(position.x, -paper.x * belly - extra, position.y);
     vec3 world = (pose * vec4(local, 1.0)).xyz;
-    // The paper does not hang at the ring. In water it hangs less, and moves.
-    float hangs = (1.0 - cell.b) * clamp((1.0 - r2) * 6.0, 0.0, 1.0);
+    float pooled = world.y + extra * pose[1].y; // Height of the sag that the pool is computed from.
+    // A flap hangs down. In water it hangs less, and moves.
+    float hangs = cell.a * min((1.0 - cell.b) * 8.0, 1.0);
     float sways = world.y < 0.0 ? 0.5 + 0.2 * sin(eye.w * 3.0 + 9.0 * position.x) : 1.0;
     world.y -= hangs * sways * FLAP_RADII * length(pose[0].xyz);
-    vec2 slope = -2.0 * paper.x * position;
+    // Loaded paper is pulled into the middle, and wrinkles run from the ring toward the middle.
+    float loaded = clamp(abs(paper.x) * 22.0, 0.0, 1.0) * (0.4 + 0.6 * cell.r);
+    float around = atan(position.y, position.x);
+    float wrinkle = (sin(7.0 * around + 1.3) + 0.8 * sin(12.0 * around + 4.0)) * r2 * belly;
+    vec2 slope = -2.0 * SAG_SHOWN * paper.x * position;
     vec3 view = normalize(eye.xyz - world);
     vec3 n = normalize(mat3(pose) * vec3(slope.x, 1.0, slope.y));
     n *= sign(dot(n, view)); // The normal is turned to the face that the viewer sees.
     vec3 middle = normalize(view + LAMP_DIRECTION);
     float away = 1.0 - max(view.y, 0.0);
-    light.x = (0.66 + 0.40 * max(dot(n, LAMP_DIRECTION), 0.0)) * (1.0 - 0.7 * shade_above(world));
+    light.x = 0.66 + 0.40 * max(dot(n, LAMP_DIRECTION), 0.0);
+    // The lower middle is darker, and the side of the belly that faces the lamps is brighter.
+    light.x *= 1.0 + loaded * (0.34 * wrinkle - 0.26 * belly * belly - dot(position, vec2(0.17, 0.10)));
+    light.x *= 1.0 - 0.7 * shade_above(world);
     light.y = max(shade(world, rests[0], spines[0]), shade(world, rests[1], spines[1]));
     light.z = max(dot(n, middle), 0.0);
     light.w = world.y;
-    water = vec4(water_passes(-world.y * 1.2), pool.x - world.y);
+    water = vec4(water_passes(-world.y * 1.2), pool.x - pooled);
     gleam = vec4(middle.xz, middle.y, 0.02 + 0.5 * away * away * away);
     gl_Position = view_projection * vec4(world, 1.0);
 }

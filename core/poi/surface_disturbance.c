@@ -90,6 +90,8 @@ void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 t
 /* Largest number of drops of a poi that enters the water, and that leaves the water. */
 #define ENTRY_DROPS 28u
 #define EXIT_DROPS 12u
+/* Distance of the splash of a tilted ring from the ring's centre, in outer radii. */
+#define SPLASH_PART 0.55f
 
 void surface_splash(struct splashes *splashes, vec3 at_m, bool in_bowl, vec3 push_m_s,
                     float radius_m, uint8_t drops_max, uint32_t tick)
@@ -116,8 +118,13 @@ void surface_splash(struct splashes *splashes, vec3 at_m, bool in_bowl, vec3 pus
 void surface_splash_poi(struct splashes *splashes, const struct poi *poi, uint32_t tick)
 {
     if (poi->splash_m_s != 0.0f) {
-        const vec3 at_m = v3(poi->position_m.x, 0.0f, poi->position_m.z);
-        surface_splash(splashes, at_m, false, poi->velocity_m_s, poi_outer_radius_m(poi),
+        /* A tilted ring touches the surface with its lowest part only. */
+        float slope;
+        const vec3 rise = slope_direction(vec_basis_from_angles(poi->angles).up, &slope);
+        const float part_m =
+            poi_outer_radius_m(poi) * SPLASH_PART * f_min(1.0f, slope / LEVEL_SLOPE);
+        surface_splash(splashes, v3_flat(v3_muladd(poi->position_m, rise, -part_m)), false,
+                       poi->velocity_m_s, poi_outer_radius_m(poi) - part_m,
                        poi->splash_m_s > 0.0f ? ENTRY_DROPS : EXIT_DROPS, tick);
     }
 }

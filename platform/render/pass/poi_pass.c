@@ -198,6 +198,95 @@ void poi_pass_close(struct poi_pass *pass)
     shape_close(&pass->disc);
 }
 
+#define CELL_COUNT (SHEET_SIDE * SHEET_SIDE)
+#define CELL_NONE UINT16_MAX
+/* Distance in cells from the edge of a hole that the largest value in the texture stands for. */
+#define FLAP_CELLS_MAX 8.0f
+/* Shortest and longest length of the torn paper at the edge of a hole, in cells. */
+#define FLAP_CELLS_SHORT 1.0f
+#define FLAP_CELLS_LONG 7.0f
+/* Distance from the ring's centre, in radii, from which a strip of torn paper stays on the ring. */
+#define FRINGE 0.96f
+/* Integrity of torn paper. */
+#define FLAP_INTEGRITY 215u
+
+/* Returns the coordinate of the centre of a row or column, in radii of the ring. */
+static float line_at(uint32_t line)
+{
+    return ((float)line + 0.5f) * (2.0f / (float)SHEET_SIDE) - 1.0f;
+}
+
+/* Returns the length in cells of the torn paper that hangs from the edge of a hole at the cell
+ * `edge`. The length varies along the edge, so that some places have a long flap. */
+static float flap_cells(uint32_t edge)
+{
+    const float x = line_at(edge % SHEET_SIDE), z = line_at(edge / SHEET_SIDE);
+    const float wave = f_sin(6.1f * x + 3.0f * z + 0.7f) + f_sin(5.3f * z - 2.9f * x + 2.1f);
+    return f_lerp(FLAP_CELLS_SHORT, FLAP_CELLS_LONG, f_smoothstep(0.1f, 1.2f, wave));
+}
+
+/* Returns the distance between two cells, in cells. CELL_NONE is far from every cell. */
+static float cell_distance(uint32_t cell, uint32_t other)
+{
+    const float x = (float)(cell % SHEET_SIDE) - (float)(other % SHEET_SIDE);
+    const float z = (float)(cell / SHEET_SIDE) - (float)(other / SHEET_SIDE);
+    return other == CELL_NONE ? 1e6f : f_sqrt(x * x + z * z);
+}
+
+/* Writes to `nearest` the cell of paper that is nearest to each cell, in two sweeps over all
+ * cells. A cell takes the nearest paper of the four neighbours that the sweep has visited. */
+static void find_nearest_paper(uint16_t nearest[CELL_COUNT])
+{
+    static const int32_t steps[4][2] = { { -1, 0 }, { -1, -1 }, { 0, -1 }, { 1, -1 } };
+    for (uint32_t i = 0; i < 2u * CELL_COUNT; i++) {
+        const uint32_t cell = i < CELL_COUNT ? i : 2u * CELL_COUNT - 1u - i;
+        const uint32_t sign = i < CELL_COUNT ? 1u : UINT32_MAX;
+        for (uint32_t k = 0; k < 4u && nearest[cell] != cell; k++) {
+            const uint32_t column = cell % SHEET_SIDE + sign * (uint32_t)steps[k][0];
+            const uint32_t row = cell / SHEET_SIDE + sign * (uint32_t)steps[k][1];
+            const uint32_t other = row * SHEET_SIDE + column;
+            if (column < SHEET_SIDE && row < SHEET_SIDE &&
+                cell_distance(cell, nearest[other]) < cell_distance(cell, nearest[cell])) {
+                nearest[cell] = nearest[other];
+            }
+        }
+    }
+}
+
+/* Fills the holes in `cells` with flaps of torn paper. */
+static void add_flaps(const struct scene_poi *poi, uint8_t cells[CELL_COUNT][4])
+{
+    uint16_t nearest[CELL_COUNT];
+    for (uint32_t cell = 0; cell < CELL_COUNT; cell++) {
+        const float x = line_at(cell % SHEET_SIDE), z = line_at(cell / SHEET_SIDE);
+        const bool is_paper = poi->integrity[cell] > 0 || x * x + z * z > FRINGE * FRINGE;
+        nearest[cell] = is_paper ? (uint16_t)cell : CELL_NONE;
+    }
+    find_nearest_paper(nearest);
+    for (uint32_t cell = 0; cell < CELL_COUNT; cell++) {
+        if (poi->integrity[cell] == 0) {
+            const float away = f_min(cell_distance(cell, nearest[cell]), FLAP_CELLS_MAX);
+            const float rest = 1.0f - 0.5f * away / flap_cells(nearest[cell]);
+            cells[cell][1] = FLAP_INTEGRITY;
+            cells[cell][2] = (uint8_t)(255.0f * f_max(rest, 0.0f));
+            cells[cell][3] = (uint8_t)(away * (255.0f / FLAP_CELLS_MAX));
+        }
+    }
+}
+
+void poi_sheet_cells(const struct scene_poi *poi, uint8_t cells[CELL_COUNT][4])
+{
+    for (uint32_t cell = 0; cell < CELL_COUNT; cell++) {
+        cells[cell][0] = poi->wetness[cell];
+        cells[cell][1] = poi->integrity[cell];
+        cells[cell][2] = 255;
+        cells[cell][3] = poi->stress[cell];
+    }
+    if (poi->paper_left < 1.0f) {
+        add_flaps(poi, cells);
+    }
+}
+
 void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene)
 {
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, gl_ring_turn(&pass->sheet_ring));
@@ -207,12 +296,7 @@ void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene)
         if (!poi->present) {
             continue;
         }
-        for (uint32_t cell = 0; cell < SHEET_SIDE * SHEET_SIDE; cell++) {
-            pass->cells[cell][0] = poi->wetness[cell];
-            pass->cells[cell][1] = poi->integrity[cell];
-            pass->cells[cell][2] = poi->integrity[cell] ? 255 : 0;
-            pass->cells[cell][3] = poi->stress[cell];
-        }
+        poi_sheet_cells(poi, pass->cells);
         glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, (GLint)i, SHEET_SIDE, SHEET_SIDE, 1, GL_RGBA,
                         GL_UNSIGNED_BYTE, pass->cells);
     }

@@ -44,8 +44,7 @@ struct poi_pass {
     struct shape_buffers solid, disc;
     /* Ring buffer of array textures of the paper sheets, with one layer for each player. */
     struct gl_ring sheet_ring;
-    /* Buffer of one paper sheet: wetness, integrity, presence and stress of each cell. */
-    uint8_t cells[SHEET_SIDE * SHEET_SIDE][4];
+    uint8_t cells[SHEET_SIDE * SHEET_SIDE][4]; /* Buffer of poi_sheet_cells(). */
 };
 
 /* Writes the pose of a poi or of another object to `out` as a column-major matrix. `scale` (> 0) is
@@ -61,8 +60,11 @@ const float *poi_paint(uint8_t owner);
 void poi_pass_open(struct gl_status *status, struct poi_pass *pass);
 void poi_pass_close(struct poi_pass *pass);
 
-/* Uploads the state of each poi's paper (wetness, integrity, presence and stress of each cell) to
- * the textures. */
+/* Computes the texels of a poi's paper. The four values of each cell are the wetness, the integrity,
+ * the presence and the stress. In a hole, the presence falls from 255 at the edge over 128 at the
+ * end of a flap to 0, and the last value is the distance from the edge in 1/32 cells. */
+void poi_sheet_cells(const struct scene_poi *poi, uint8_t cells[SHEET_SIDE * SHEET_SIDE][4]);
+/* Uploads the cells of each poi's paper (poi_sheet_cells()) to the textures. */
 void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene);
 
 /* Returns true if any part of the poi is below the water surface. */

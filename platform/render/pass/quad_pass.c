@@ -70,6 +70,20 @@
 /* Longest time in seconds from a splash until its last drop leaves the water. */
 #define SPRAY_LATE_S 0.05f
 #define SPRAY_GRAVITY_M_S2 9.81f
+/* A splash whose circle has at least this radius in m comes from a poi. */
+#define SPRAY_POI_M 0.018f
+/* Number of drops that a poi throws in addition to the drops of the splash. */
+#define SPRAY_CROWN 10u
+/* Speed in m/s of the wave that a poi makes, time in seconds in which it fades, and its opacity. */
+#define SPRAY_WAVE_M_S 0.16f
+#define SPRAY_WAVE_S 0.9f
+#define SPRAY_WAVE 0.5f
+/* Distance in m from a wall at which a wave begins to fade. */
+#define SPRAY_WALL_M 0.03f
+/* Distance of the crest of a wave from its middle, as a share of the quad (spray.frag.glsl). */
+#define SPRAY_CREST 0.72f
+/* Height in m above or below the water, up to which a poi hides the rings of drops. */
+#define SPRAY_HIDES_M 0.07f
 /* Distance in m from a splash in a bowl within which drops make rings. */
 #define SPRAY_BOWL_M 0.05f
 
@@ -211,6 +225,43 @@ static float next_chance(uint32_t *state)
     return (float)(*state >> 8) * (1.0f / 16777216.0f);
 }
 
+/* Returns true if a poi at the surface is at a point of the water. A ring of a drop on its paper
+ * would make the paper look like water. */
+static bool has_poi(const struct scene *scene, vec3 at)
+{
+    bool has = false;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct scene_poi *const poi = &scene->poi[i];
+        const vec3 away = v3_flat(v3_sub(at, poi->position_m));
+        has |= poi->present && f_abs(poi->position_m.y) < SPRAY_HIDES_M &&
+               v3_length(away) < RING_REACH * poi->ring_radius_m + SPRAY_RING_M;
+    }
+    return has;
+}
+
+/* Returns true if a poi that enters or leaves the water of the tank caused the splash. */
+static bool is_from_poi(const struct scene_splash *splash)
+{
+    return splash->radius_m >= SPRAY_POI_M && !splash->in_bowl;
+}
+
+/* Computes the wave that a poi makes where it enters or leaves the water. Returns false if the
+ * splash has no wave, or if the wave has faded or has reached a wall. */
+static bool spread(const struct scene *scene, const struct scene_splash *splash,
+                   struct quad_drop *out)
+{
+    const vec3 at = splash->position_m;
+    const float radius_m = splash->radius_m + SPRAY_WAVE_M_S * splash->age_s;
+    const float wall_m = f_min(0.5f * scene->tank_size_m.x - f_abs(at.x),
+                               0.5f * scene->tank_size_m.z - f_abs(at.z)) -
+                         radius_m / SPRAY_CREST;
+    const float left = f_min(1.0f - splash->age_s / SPRAY_WAVE_S, wall_m / SPRAY_WALL_M);
+    *out = (struct quad_drop){ { at.x, 0.0004f, at.z, radius_m / SPRAY_CREST },
+                               0.0f,
+                               SPRAY_WAVE * f_clamp(left, 0.0f, 1.0f) };
+    return is_from_poi(splash) && left > 0.0f;
+}
+
 /* Computes drop `index` of a splash. Returns false if the drop has not left the water or if its
  * ring has faded. */
 static bool fly(const struct scene *scene, const struct scene_splash *splash, uint32_t index,
@@ -223,7 +274,7 @@ static bool fly(const struct scene *scene, const struct scene_splash *splash, ui
     const float up_m_s = (0.55f + 0.70f * speed) * (0.40f + 0.80f * next_chance(&state));
     const vec3 way_m_s = v3_muladd(v3_scale(v3_flat(splash->push_m_s), 0.25f), side,
                                    (0.10f + 0.35f * speed) * (0.3f + next_chance(&state)));
-    const float size_m = 0.0012f + 0.0024f * next_chance(&state) * next_chance(&state);
+    const float size_m = 0.0013f + 0.0027f * next_chance(&state) * next_chance(&state);
     const float time_s = splash->age_s - SPRAY_LATE_S * next_chance(&state);
     const float lands_s = 2.0f * up_m_s / SPRAY_GRAVITY_M_S2;
     const float flight_s = f_min(time_s, lands_s);
@@ -246,7 +297,7 @@ static bool fly(const struct scene *scene, const struct scene_splash *splash, ui
                                1.0f - ring_s / SPRAY_RING_S };
     return splash->in_bowl ? v3_length(away) < SPRAY_BOWL_M
                            : f_abs(at.x) < 0.5f * scene->tank_size_m.x &&
-                                 f_abs(at.z) < 0.5f * scene->tank_size_m.z;
+                                 f_abs(at.z) < 0.5f * scene->tank_size_m.z && !has_poi(scene, at);
 }
 
 uint32_t quad_spray_of(const struct scene *scene, struct quad_drop out[QUAD_SPRAY_MAX])
@@ -254,8 +305,14 @@ uint32_t quad_spray_of(const struct scene *scene, struct quad_drop out[QUAD_SPRA
     uint32_t count = 0, pool = 0;
     CORE_ASSERT(scene->splash_count <= SCENE_SPLASH_MAX);
     for (uint32_t i = 0; i < scene->splash_count; i++) {
-        for (uint32_t k = 0; k < scene->splash[i].drops && pool < QUAD_SPRAY_MAX; k++, pool++) {
-            count += fly(scene, &scene->splash[i], k, &out[count]);
+        const struct scene_splash *const splash = &scene->splash[i];
+        const uint32_t drops = splash->drops + (is_from_poi(splash) ? SPRAY_CROWN : 0u);
+        if (pool < QUAD_SPRAY_MAX) {
+            count += spread(scene, splash, &out[count]);
+            pool++;
+        }
+        for (uint32_t k = 0; k < drops && pool < QUAD_SPRAY_MAX; k++, pool++) {
+            count += fly(scene, splash, k, &out[count]);
         }
     }
     return count;

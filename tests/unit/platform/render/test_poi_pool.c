@@ -1,5 +1,8 @@
 /* test_poi_pool.c -- Tests the pool of water that is drawn on a poi: its level surface, its volume
- * and its position. Also tests the refraction around a poi that crosses the water surface. */
+ * and its position. Also tests the refraction around a poi that crosses the water surface, and the
+ * flaps of torn paper. */
+#include <string.h>
+
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -134,6 +137,60 @@ static void test_refraction_vanishes_only_where_the_poi_crosses_the_surface(void
     assert_float_equal(share(&poi, 0.01f, 0.01f), 1.0f, 0.001f);
 }
 
+static uint8_t cells[SHEET_SIDE * SHEET_SIDE][4];
+
+/* Returns a poi with whole, half wet paper. */
+static struct scene_poi whole_poi(void)
+{
+    struct scene_poi poi = poi_with(0.0f, 0.0f, 0.0f, 0.0f);
+    poi.paper_left = 1.0f;
+    memset(poi.wetness, 128, sizeof poi.wetness);
+    memset(poi.integrity, 200, sizeof poi.integrity);
+    memset(poi.stress, 30, sizeof poi.stress);
+    return poi;
+}
+
+static void test_whole_paper_has_no_flap(void **state)
+{
+    (void)state;
+    const struct scene_poi poi = whole_poi();
+    poi_sheet_cells(&poi, cells);
+    for (uint32_t i = 0; i < SHEET_SIDE * SHEET_SIDE; i++) {
+        assert_memory_equal(cells[i], ((const uint8_t[4]){ 128, 200, 255, 30 }), 4);
+    }
+}
+
+static void test_flaps_reach_into_a_hole_but_leave_it_open(void **state)
+{
+    (void)state;
+    struct scene_poi poi = whole_poi();
+    uint32_t holes = 0, covered = 0;
+    poi.paper_left = 0.3f;
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        for (uint32_t column = 4; column < SHEET_SIDE; column++) {
+            poi.integrity[row * SHEET_SIDE + column] = 0;
+        }
+    }
+    poi_sheet_cells(&poi, cells);
+    for (uint32_t row = 8; row < 24; row++) {
+        assert_int_equal(cells[row * SHEET_SIDE + 3u][2], 255); /* Paper. */
+        for (uint32_t column = 4; column < SHEET_SIDE; column++) {
+            const uint8_t *const cell = cells[row * SHEET_SIDE + column];
+            holes++;
+            covered += cell[2] >= 128;
+        }
+        /* The first cell of the hole is one cell away from the paper. */
+        assert_int_equal(cells[row * SHEET_SIDE + 4u][3], 255 / 8);
+        assert_true(cells[row * SHEET_SIDE + 4u][2] < 255);
+        /* The middle of the hole is more than eight cells away. */
+        assert_int_equal(cells[row * SHEET_SIDE + 16u][3], 255);
+        assert_int_equal(cells[row * SHEET_SIDE + 16u][2] < 128, 1);
+    }
+    assert_true(covered > holes / 20u && covered < holes / 3u);
+    /* A strip of paper stays at the ring. */
+    assert_int_equal(cells[16u * SHEET_SIDE + SHEET_SIDE - 1u][2], 255);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -143,6 +200,8 @@ int main(void)
         cmocka_unit_test(test_a_tilted_pool_moves_to_the_low_side),
         cmocka_unit_test(test_sagging_level_paper_holds_the_pool_in_the_middle),
         cmocka_unit_test(test_refraction_vanishes_only_where_the_poi_crosses_the_surface),
+        cmocka_unit_test(test_whole_paper_has_no_flap),
+        cmocka_unit_test(test_flaps_reach_into_a_hole_but_leave_it_open),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -108,7 +108,7 @@ static void test_drops_rise_fall_and_make_rings(void **state)
     for (uint32_t i = 0; i <= 120u; i++) {
         splash_at((float)i / 100.0f, 0.0f);
         const uint32_t count = quad_spray_of(&shown, drops);
-        assert_true(count <= 40u);
+        assert_true(count <= 51u); /* 40 drops, 10 drops of a poi, and one wave. */
         for (uint32_t k = 0; k < count; k++) {
             const struct quad_drop *const drop = &drops[k];
             const bool is_ring = drop->stretch == 0.0f;
@@ -158,6 +158,72 @@ static void test_rings_lie_on_the_water_of_tank_or_bowl(void **state)
         assert_true(drops[i].stretch > 0.0f ||
                     (drops[i].place[1] > 0.012f && f_abs(drops[i].place[0]) < 0.05f));
     }
+}
+
+/* Returns the radius of the largest ring of the scene, or 0 without a ring. */
+static float widest_ring_m(void)
+{
+    const uint32_t count = quad_spray_of(&shown, drops);
+    float widest_m = 0.0f;
+    for (uint32_t i = 0; i < count; i++) {
+        widest_m = drops[i].stretch == 0.0f ? f_max(widest_m, drops[i].place[3]) : widest_m;
+    }
+    return widest_m;
+}
+
+static void test_a_poi_makes_a_wave_that_grows_and_ends_at_a_wall(void **state)
+{
+    (void)state;
+    splash_at(0.1f, 0.0f);
+    const float early_m = widest_ring_m();
+    splash_at(0.4f, 0.0f);
+    const float late_m = widest_ring_m();
+    assert_true(early_m > 0.04f && late_m > early_m + 0.03f);
+    shown.splash[0].position_m.z = 0.5f * shown.tank_size_m.z - 0.5f * late_m;
+    assert_true(widest_ring_m() < 0.04f);
+    shown.splash[0].position_m.z = 0.0f;
+    shown.splash[0].radius_m = 0.01f; /* A splash of a fish. */
+    assert_true(widest_ring_m() < 0.04f);
+}
+
+/* Returns the number of rings of drops. */
+static uint32_t drop_rings(void)
+{
+    const uint32_t count = quad_spray_of(&shown, drops);
+    uint32_t rings = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        rings += drops[i].stretch == 0.0f && drops[i].place[3] < 0.03f;
+    }
+    return rings;
+}
+
+static void test_drops_make_no_ring_on_a_poi_at_the_surface(void **state)
+{
+    (void)state;
+    splash_at(0.45f, 0.0f);
+    const uint32_t rings = drop_rings();
+    shown.poi[1] = (struct scene_poi){ .present = 1, .ring_radius_m = 0.04f };
+    shown.poi[1].position_m = v3(0.06f, 0.01f, 0.0f);
+    const uint32_t left = drop_rings();
+    assert_true(left < rings);
+    shown.poi[1].position_m.y = 0.1f; /* The poi is in the air, far above the rings. */
+    assert_int_equal(drop_rings(), rings);
+}
+
+static void test_a_tilted_poi_splashes_at_its_lowest_part(void **state)
+{
+    (void)state;
+    struct poi poi = { .splash_m_s = 0.5f, .velocity_m_s = v3(0.0f, -0.5f, 0.0f) };
+    poi.sheet.radius_m = 0.04f;
+    poi.angles.roll_rad = 30.0f * F_DEG;
+    const vec3 up = vec_basis_from_angles(poi.angles).up;
+    memset(&splashes, 0, sizeof splashes);
+    surface_splash_poi(&splashes, &poi, 100u);
+    surface_splash_show(&splashes, 101u, &shown);
+    assert_int_equal(shown.splash_count, 1);
+    /* The plane of the ring falls toward the horizontal part of its normal. */
+    assert_true(shown.splash[0].position_m.x * up.x > 0.0f);
+    assert_true(shown.splash[0].radius_m < poi_outer_radius_m(&poi));
 }
 
 static void test_torn_paper_loses_few_scraps_at_its_holes(void **state)
@@ -220,6 +286,9 @@ int main(void)
         cmocka_unit_test(test_a_splash_ends_and_the_newest_splashes_are_kept),
         cmocka_unit_test(test_drops_rise_fall_and_make_rings),
         cmocka_unit_test(test_equal_scenes_have_equal_drops_and_never_more_than_the_pool),
+        cmocka_unit_test(test_a_poi_makes_a_wave_that_grows_and_ends_at_a_wall),
+        cmocka_unit_test(test_drops_make_no_ring_on_a_poi_at_the_surface),
+        cmocka_unit_test(test_a_tilted_poi_splashes_at_its_lowest_part),
         cmocka_unit_test(test_torn_paper_loses_few_scraps_at_its_holes),
         cmocka_unit_test(test_a_scrap_falls_into_the_water_and_sinks_to_the_floor),
         cmocka_unit_test(test_rings_lie_on_the_water_of_tank_or_bowl),
