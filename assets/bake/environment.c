@@ -44,8 +44,8 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
             const float dx = x - lx * inv, dy = (y - ly * inv) * 0.82f, dz = z - lz * inv;
             const float d2 = dx * dx + dy * dy + dz * dz;
             /* Small waves, which the picture of the slopes lacks, draw a reflection out toward the
-             * viewer into a soft, wide streak. */
-            const float streak = dx * dx * 2600.0f + (dy * dy + dz * dz) * 80.0f;
+             * viewer into a streak. The shader breaks the streak into glints. */
+            const float streak = dx * dx * 1800.0f + (dy * dy + dz * dz) * 90.0f;
             const struct colour light = noise_hash01(i, 7, row) < 0.35f ? red : paper;
             glow(at, light, 1.1f * expf(-streak));
             glow(at, light, 0.10f * expf(-d2 * 40.0f));

@@ -6,7 +6,6 @@ in vec3 grid;
 uniform vec4 form;
 uniform vec4 paint;
 uniform sampler2D caustics;
-uniform sampler2D environment;
 out vec4 color;
 
 #ifdef CAP
@@ -17,25 +16,18 @@ void main()
 #elif defined(WATER)
 void main()
 {
-    // The water is clear. It shows only the reflection of the lamps, the dark night or the bright
-    // day between them, and its edge at the wall (the meniscus): a bright ring in a darker one.
+    // The water is clear. It shows only the reflection of a lamp, of the dark night or the bright day,
+    // and its edge at the wall (the meniscus): a bright ring in a darker one.
     float r = length(grid.xy);
     vec2 ring = grid.xy * (0.012 * sin(r * 15.0 - eye.w * 4.0));
     // The normal (ring.x, 1, ring.y) has almost the length 1.
     float shine = pow(max(light.z + dot(ring, light.xy), 0.0), 90.0);
-    vec2 toward = left.xy - 2.0 * ring;
-    vec2 night = texture(environment, toward * (0.5 / (1.0 + left.z)) + 0.5).rb;
-    // As in mirror.frag.glsl.
-    float core = max(night.r - 0.25, 0.0);
-    float lamp = min(1.8 * core * core, 1.0) * water_tint.w;
-    float edge = (r / form.z - 0.985) * 50.0;
+    float edge = (r / form.z - 0.985) * 70.0;
     float line = max(1.0 - edge * edge, 0.0);
-    float dark = clamp(edge * 0.3 + 1.5, 0.0, 1.0);
-    float alpha = 0.05 + light.w + 0.24 * dark * dark;
+    float dark = clamp(edge * 0.22 + 1.5, 0.0, 1.0);
+    float alpha = 0.03 + light.w + 0.20 * dark * dark;
     vec3 sky = mix(vec3(0.10, 0.13, 0.20), vec3(0.85, 0.92, 0.95), evening.w * evening.w);
-    vec3 warm = vec3(1.0, 0.35 + 0.45 * lamp, 0.10 + 0.45 * lamp * lamp);
-    alpha = max(alpha, lamp * 0.85);
-    color = vec4(mix(sky, warm, lamp) * alpha + (shine * 0.3 + line * 0.50) * grid.z, alpha);
+    color = vec4(sky * alpha + (shine * 0.3 + line * 0.50) * grid.z, alpha);
 }
 #else
 void main()
@@ -50,13 +42,15 @@ void main()
     vec3 tint = mix(enamel, paint.rgb, painted * (1.0 - gap)) * light.x;
     float shine = pow(max(light.y, 0.0), 60.0) * 0.22 * light.w;
 #ifdef INSIDE
-    // The water in the bowl is shallow and clear. The enamel has a dark line right above the water.
+    // The water in the bowl is shallow and clear, with a little colour where it is deep. The enamel
+    // has a dark line right above the water.
     float drowned = clamp(grid.z, 0.0, 1.0);
-    float caustic = texture(caustics, grid.xy).r;
-    tint *= mix(vec3(1.0), vec3(0.94, 0.97, 0.97) * (0.93 + 0.17 * caustic), drowned);
+    float caustic = texture(caustics, grid.xy).g;
+    vec3 deep = mix(vec3(1.0), vec3(0.79, 0.92, 0.94), min(grid.z * 0.08, 1.0));
+    tint *= mix(vec3(1.0), deep * (0.86 + 0.38 * caustic), drowned);
     float line = abs(grid.z - 0.10) * 4.0;
     tint *= 1.0 - 0.28 * max(1.0 - line * line, 0.0);
-    color = vec4(tint + shine, 1.0);
+    color = vec4(tint + shine * (1.0 - drowned), 1.0);
 #else
     // The outline of the bowl is where its surface turns away from the viewer. The outline fades
     // there, which smooths it, as on the poi.

@@ -16,8 +16,7 @@ out vec4 light; // For the shell: x: brightness. y: cosine of the angle between 
                 // direction halfway to the lamps. z: cosine of the angle between the normal and the
                 // direction to the viewer. w: brightness of the lamps. For the water: xy: change of
                 // z for each unit of slope. z: as y of the shell. w: reflection of the sky.
-out vec3 left;  // For the shell: fraction of the light that passes through the water. For the water:
-                // direction of the reflection in the player's axes, as x, z and y.
+out vec3 left;  // For the shell: fraction of the light that passes through the water.
 out vec3 grid;  // For the shell: xy: coordinates in the texture of the caustics. z: above 0.5 below
                 // the water in the bowl. For the outside: x: height above the tank's water in RING_M.
                 // For the water: xy: position in mouth radii. z: light of the lamps.
@@ -50,13 +49,9 @@ void main()
     float away = 1.0 - max(view.y, 0.0);
     light = vec4(middle.xz, middle.y, 0.4 * away * away);
     grid = vec3(local.xz / mouth.w, lamp_light(world).g);
-    // As in mirror.frag.glsl, for a level surface.
-    vec3 toward = vec3(from_world(-view.xz), view.y).xzy
-        + vec3(from_world(world.xz), world.y).xzy * 0.55;
-    left = normalize(toward).xzy;
 #elif !defined(CAP)
     vec3 n = normalize(heel * (normal / vec3(mouth.w, form.x, mouth.w)));
-    float lamps = (1.0 - 0.7 * shade_above(world)) * lamp_light(world).g;
+    float lamps = (1.0 - 0.7 * shade_above(world)) * (0.4 + 0.6 * lamp_light(world).g);
     float lit = 0.58 + 0.50 * max(dot(n, LAMP_DIRECTION), 0.0);
     float gap = cos(paint.w * atan(position.x, position.z));
     float gap_edge = cos(0.21 * paint.w);

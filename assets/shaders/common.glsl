@@ -15,7 +15,7 @@ layout(std140) uniform Frame {
     vec4 shadow;     // xy: factors from world x, z to the shadow map's -1 .. 1. zw: sideways drift
                      // of a shadow in m per m of height.
     vec4 bend;       // Columns of a matrix: shift of the refracted picture, as a fraction of the
-                     // picture, per unit of surface slope in x and in z.
+                     // picture, per 2 * SEEN_SLOPE_MAX of surface slope in x and in z.
     vec4 shade_map;  // xy: factors from world x, z to the shade map's -0.5 .. 0.5. zw: world x, z of
                      // the player's right.
     vec4 crop;       // Factors (xy) from a pixel of the screen, and offsets (zw), to a place in the

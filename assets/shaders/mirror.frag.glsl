@@ -6,6 +6,7 @@ in vec2 grid;    // As in water.vert.glsl.
 in vec2 shaded;
 in vec2 place;
 in vec3 view;
+in vec2 ripple;
 uniform sampler2D slopes;
 uniform sampler2D environment;
 out vec4 color;
@@ -17,8 +18,7 @@ void main()
 {
     vec4 slopes_here = texture(slopes, grid); // As in struct basin_pass.
     // The lanterns are in front of the player, who may stand at the short side of the tank. The
-    // slope to the side counts less, so that a reflection stretches toward the viewer and does not
-    // break into hooks.
+    // slope to the side counts less, so that a reflection stretches toward the viewer.
     vec2 slope = from_world(slopes_here.ba);
     vec3 to_eye = normalize(view);
     vec3 normal = normalize(vec3(-slope.x * 0.5, 1.0, -slope.y));
@@ -30,21 +30,19 @@ void main()
     // The lanterns are only about two metres away, so that their reflections move with the position
     // on the water.
     vec3 toward = mirror + vec3(place.x, 0.0, place.y) * 0.55;
-    vec2 night = texture(environment, toward.xz / (length(toward) + toward.y) * 0.5 + 0.5).rb;
-    // A lantern is brighter than the maximum of a texel. The fourth power makes its reflection
-    // fade over a wide edge.
-    float core = max(night.r - 0.25, 0.0);
+    vec2 seen = toward.xz / (length(toward) + toward.y);
+    vec2 night = texture(environment, seen * 0.5 + 0.5).rb;
+    // A lantern is far brighter than the maximum of a texel. Small waves, which the picture of the
+    // slopes lacks, break the lantern's reflection into glints that lie across the view.
+    float waves = sin(ripple.x) + sin(ripple.y);
+    float core = max(night.x - 0.76 + 0.33 * waves, 0.0);
     float hot = core * core;
-    float lantern = hot * (0.5 + 6.0 * hot) * (1.0 + 5.0 * fresnel) * water_tint.w;
-    float glint = max(dot(mirror, vec3(0.100, 0.619, -0.779)), 0.0);
-    // The bulb is small, so that a flat part of the water does not show it as a cloud.
-    glint *= glint; glint *= glint; glint *= glint; glint *= glint;
-    glint *= glint; glint *= glint; glint *= glint; glint *= glint;
-    glint *= glint; glint *= glint; glint *= glint;
     float lit = 1.0 - texture(shades, shaded).r; // A fan also hides the lamps from the water.
-    vec2 light = vec2(1.0, night.y + 0.18 * hot) * (lantern * lit)
-        + (night * fresnel + SHEEN * away2) * sky_glow.xy + vec2(2.6, 1.2) * (glint * lit);
-    // Soft knee for both colours by the brighter one, so that a bright reflection keeps its colour.
-    light /= 1.0 + max(light.x, light.y);
+    float lantern = 300.0 * hot * hot * (1.0 + 5.0 * fresnel) * water_tint.w * lit;
+    vec2 light = vec2(lantern, 0.22 * night.y * lantern)
+        + (night * fresnel + SHEEN * away2) * sky_glow.xy;
+    // A soft knee for each colour: the middle of a bright reflection is nearly white, and its edge
+    // is amber.
+    light /= 1.0 + light;
     color = vec4(sqrt(light), 0.5 + slopes_here.ba * (0.5 / SEEN_SLOPE_MAX));
 }

@@ -13,14 +13,16 @@ void main()
 {
     vec2 place = gl_FragCoord.xy * crop.xy + crop.zw;
     vec4 surface = texture(mirror, place);
-    vec2 slope = (surface.ba - 0.5) * (2.0 * SEEN_SLOPE_MAX);
+    vec2 slope = surface.ba - 0.5; // In 2 * SEEN_SLOPE_MAX.
     vec2 at = place + mat2(bend) * slope;
     vec4 swims = texture(life, at);
     vec3 below = texture(ground, at).rgb * (1.0 - swims.a) + swims.rgb;
-    // A wave that leans toward the lamps is brighter. A bright reflection outshines what is below it.
+    // A wave that leans toward the lamps is brighter. A bright reflection replaces what is below it,
+    // because the sum of amber light and the colour of the water would be beige. For the same reason,
+    // the blue of the reflection is reduced.
     vec3 light = surface.rrg * surface.rgg;
-    below *= (1.0 + 1.2 * (slope.x + slope.y)) * (1.0 - 0.5 * light.r);
-    below += light;
+    below *= (1.0 + 0.12 * (slope.x + slope.y)) * (1.0 - light.r);
+    below += light * vec3(1.0, 1.0, 0.66);
 #ifdef EDGE
     float edge = min(tank.x - abs(world.x), tank.z - abs(world.z));
     float line = 1.0 - smoothstep(0.0, 0.004, edge);  // Bright line where the water meets the walls

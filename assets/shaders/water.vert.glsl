@@ -6,6 +6,7 @@ out vec2 grid;   // Coordinates in the texture of the slopes.
 out vec2 shaded; // Coordinates in the texture of the shades.
 out vec2 place;  // Position in the player's axes.
 out vec3 view;   // Direction to the camera in the player's axes, not normalized.
+out vec2 ripple; // Phases of the small waves.
 #else
 out vec3 world;
 #endif
@@ -22,6 +23,9 @@ void main()
     shaded = world.xz * shade_map.xy + 0.5;
     place = from_world(world.xz);
     view = vec3(from_world(eye.xz) - place, eye.y).xzy;
+    // The waves are as wide as a few texels of this picture at any distance of the camera.
+    vec2 near = place * (360.0 / (eye.y + 0.1));
+    ripple = vec2(dot(near, vec2(0.10, 1.0)), dot(near, vec2(-0.19, 0.64))) - eye.w * vec2(5.0, 3.7);
 #else
     world = vec3(corner.x * tank.x, 0.0, corner.z * tank.z);
     // Corners inside the walls have the coordinates +-0.5.

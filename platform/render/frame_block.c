@@ -210,8 +210,7 @@ static void find_part(struct frame *frame, const uint32_t below_px[2])
     uint32_t range[2][2];
     for (uint32_t axis = 0; axis < 2; axis++) {
         const float shift = f_abs(block->bend[axis]) + f_abs(block->bend[2 + axis]);
-        find_range(range[axis], seen.low[axis], seen.high[axis], shift * SEEN_SLOPE_MAX,
-                   below_px[axis]);
+        find_range(range[axis], seen.low[axis], seen.high[axis], 0.5f * shift, below_px[axis]);
     }
     frame->part = (struct frame_part){ range[0][0], range[1][0], range[0][1], range[1][1] };
 }
@@ -305,7 +304,7 @@ static void set_light(struct frame_block *block, bool is_day, float pixel_m)
     if (is_day) {
         frame_block_set(block->bulbs, 0.0f, 0.0f, 0.0f, fall);
         frame_block_set(block->evening, 1.0f, 1.0f, 1.0f, 1.0f);
-        frame_block_set(block->water_tint, 0.09f, 0.42f, 0.53f, 0.3f);
+        frame_block_set(block->water_tint, 0.09f, 0.42f, 0.53f, 0.0f);
         frame_block_set(block->sky_glow, 0.9f, 1.6f, x, z);
         frame_block_set(block->vinyl, 0.53f, 0.88f, 0.97f, pixel_m);
         return;
@@ -355,14 +354,14 @@ void frame_begin(struct frame *frame, const struct scene *scene,
     const float loops = f_floor(layers / (float)ASSET_CAUSTICS_FRAMES);
     const vec3 size = scene->tank_size_m;
     set_camera(frame, &scene->view, transform);
-    /* `bend` is the displacement of the refracted picture on the screen per unit of slope of the
-     * water surface. The displacement is computed for a point at the camera's target. Elsewhere in
-     * the tank the error is a few per cent. */
+    /* `bend` is the displacement of the refracted picture on the screen per 2 * SEEN_SLOPE_MAX of
+     * slope of the water surface. The displacement is computed for a point at the camera's target.
+     * Elsewhere in the tank the error is a few per cent. */
     const struct view *const view = &scene->view;
     const struct basis axes = view_basis(view);
     const float distance = v3_length(v3_sub(view->eye_m, view->target_m));
     const float half_height_m = view_half_height_tan(view, aspect) * distance;
-    const float shift_m = REFRACTION * scene->tank_size_m.y;
+    const float shift_m = 2.0f * SEEN_SLOPE_MAX * REFRACTION * scene->tank_size_m.y;
     const float across = 0.5f * shift_m / (half_height_m * aspect);
     const float down = 0.5f * shift_m / half_height_m;
     const float *const placed = frame->placed;

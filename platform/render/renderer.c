@@ -86,7 +86,7 @@ static void draw_bowl_contents(const struct renderer *renderer, const struct sce
     fish_pass_fins(&renderer->fish, FISH_IN_BOWL, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
-            bowl_pass_water(&renderer->bowl, &scene->bowl[i], renderer->textures.environment);
+            bowl_pass_water(&renderer->bowl, &scene->bowl[i]);
             bowl_pass_cap(&renderer->bowl, &scene->bowl[i]);
         }
     }

@@ -73,8 +73,8 @@ static struct shape_vertex disc_point(float u, float v, const void *context)
 static struct bowl_part open_part(struct gl_status *status, const char *name, const char *defines)
 {
     struct bowl_part part;
-    part.program = gl_program(status, name, defines, shader_bowl_vert, shader_bowl_frag,
-                              "caustics environment");
+    part.program =
+        gl_program(status, name, defines, shader_bowl_vert, shader_bowl_frag, "caustics");
     part.mouth = glGetUniformLocation(part.program, "mouth");
     part.form = glGetUniformLocation(part.program, "form");
     part.paint = glGetUniformLocation(part.program, "paint");
@@ -182,10 +182,8 @@ void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl)
     glDisable(GL_BLEND);
 }
 
-void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl,
-                     GLuint environment)
+void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl)
 {
-    gl_bind_texture(1, GL_TEXTURE_2D, environment);
     use(pass, &pass->water_part, bowl);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);

@@ -33,9 +33,8 @@ void bowl_pass_prepare(struct bowl_pass *pass, const struct scene *scene, bool i
 void bowl_pass_inside(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);
 /* Draws the outside and the lip of the bowl's enamelled shell. */
 void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl);
-/* Draws the surface of the water in the bowl, which reflects `environment`. */
-void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl,
-                     GLuint environment);
+/* Draws the surface of the water in the bowl. */
+void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl);
 /* Writes a depth just above the tank's water surface where the viewer looks into the bowl's mouth.
  * Must be called after the contents of the bowl and before the tank's water surface are drawn. The
  * tank's water then does not cover the contents, although the contents are lower than this

@@ -145,6 +145,15 @@ static void test_reflections_of_lanterns_are_small_bright_and_warm(void **state)
                   blue, warm, count);
     assert_true(warm > 0 && warm < count / 20u);
     assert_true(hottest > 200u && 20u * blue < 17u * hottest);
+    display.renderer.frame.is_day = true;
+    picture(pixels[0]);
+    warm = 0;
+    for (uint32_t i = HEIGHT / 4u * WIDTH; i < HEIGHT * 3u / 4u * WIDTH; i++) {
+        const uint32_t x = i % WIDTH;
+        warm +=
+            x >= WIDTH / 4u && x < WIDTH * 3u / 4u && pixels[0][3u * i] > pixels[0][3u * i + 2u];
+    }
+    assert_int_equal(warm, 0);
 }
 
 /* Returns the sum of one colour channel over the 5 x 5 pixels in the middle of the picture. */
