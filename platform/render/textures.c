@@ -2,6 +2,7 @@
 #include "platform/render/textures.h"
 
 #include "assets.h"
+#include "core/base/fmath.h"
 
 static GLuint grey_tile(struct gl_status *status, const char *name, const uint8_t *pixels,
                         uint32_t side, bool mipmaps)
@@ -73,7 +74,7 @@ float textures_pattern(uint32_t look)
 float textures_hue(uint32_t look)
 {
     const float hue = (float)(look >> 16u & 1023u) / 1023.0f;
-    return kind_of(look) == BLACK_KIND ? 1.0f + hue : hue;
+    return kind_of(look) == BLACK_KIND ? 1.0f + f_max(hue, 0.001f) : hue;
 }
 
 const struct species *textures_variety(uint32_t look)

@@ -3,6 +3,8 @@
 #include <math.h>
 
 #include "core/base/panic.h"
+#include "platform/render/fish_colours.h"
+#include "platform/render/textures.h"
 #include "platform/render/ui/ui_widgets.h"
 
 /* Duration in ticks of a fish's flight from the bowl to the counter, and delay in ticks between the
@@ -38,17 +40,62 @@ static uint32_t flight_count(uint32_t caught)
     return caught < UI_FLIGHT_MAX ? caught : UI_FLIGHT_MAX;
 }
 
+/* Returns the appearance number of the highest fish in a player's bowl that is below the height
+ * `*below_m`, and writes the height of this fish to `below_m`. The highest fish has just fallen
+ * into the bowl. Returns 0 if the scene has no such fish. */
+static uint32_t highest_look(const struct scene *scene, uint32_t player, float *below_m)
+{
+    const struct scene_bowl *const bowl = &scene->bowl[player];
+    float highest_m = -INFINITY;
+    uint32_t look = 0;
+    for (uint32_t i = 0; i < scene->fish_count; i++) {
+        const struct scene_fish *const fish = &scene->fish[i];
+        const vec3 away = v3_sub(fish->position_m, bowl->position_m);
+        if (fish->place == SCENE_IN_BOWL && fish->position_m.y > highest_m &&
+            fish->position_m.y < *below_m &&
+            away.x * away.x + away.z * away.z < bowl->radius_m * bowl->radius_m) {
+            highest_m = fish->position_m.y;
+            look = fish->look;
+        }
+    }
+    *below_m = highest_m;
+    return look;
+}
+
+/* Writes the colours 0xRRGGBBAA of a fish with this appearance number: the larger part of the skin,
+ * and the rest. */
+static void find_colours(uint32_t colours[2], uint32_t look)
+{
+    struct fish_colours skin;
+    const float layer = textures_pattern(look);
+    fish_colours_compute(&skin, 1.0f, textures_hue(look), layer);
+    const bool is_plain = layer < 3.0f, is_white = layer > 4.5f;
+    const float *const parts[2] = { is_white ? skin.pale_back : skin.stain_back,
+                                    is_plain   ? skin.stain_belly
+                                    : is_white ? skin.stain_back
+                                               : skin.pale_back };
+    for (uint32_t i = 0; i < 2; i++) {
+        colours[i] = 0xffu;
+        for (uint32_t channel = 0; channel < 3; channel++) {
+            const float byte = 255.0f * f_clamp(parts[i][channel], 0.0f, 1.0f) + 0.5f;
+            colours[i] |= (uint32_t)byte << (24u - 8u * channel);
+        }
+    }
+}
+
 void ui_catch_notice(struct ui_memory *memory, const struct scene *scene)
 {
     const bool is_round = scene->phase == PHASE_ROUND && memory->phase == PHASE_ROUND;
     const bool continues = scene->tick >= memory->tick;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint32_t caught = scene->caught[i], before = memory->caught[i];
+        float below_m = INFINITY;
         if (is_round && continues && caught > before) {
             for (uint32_t k = flight_count(caught - before); k > 0; k--) {
                 const uint32_t waits = flight_count(caught - before) - k;
-                memory->flight_tick[i][(caught - k + 1u) % UI_FLIGHT_MAX] =
-                    scene->tick + waits * FLIGHT_APART_TICKS;
+                const uint32_t slot = (caught - k + 1u) % UI_FLIGHT_MAX;
+                memory->flight_tick[i][slot] = scene->tick + waits * FLIGHT_APART_TICKS;
+                memory->flight_look[i][slot] = highest_look(scene, i, &below_m);
             }
         } else if (caught != before || !continues) {
             /* Outside a continuing round, all caught fish count as arrived, and no fish flies. */
@@ -101,7 +148,9 @@ void ui_catch_flights(const struct ui_frame *frame, uint32_t player, struct ui_p
         const float at_x = f_lerp(from.x, counter.x, along);
         const float at_y = fmaxf(f_lerp(from.y, counter.y, along) - rise, 0.5f * width);
         ui_glow(frame, ui_around(at_x, at_y, width), ui_fade(0xffd9a0ffu, 0.5f));
-        ui_fish_sign(frame, at_x, at_y, width);
+        uint32_t colours[2];
+        find_colours(colours, frame->memory->flight_look[player][(caught - k) % UI_FLIGHT_MAX]);
+        ui_fish_in_colours(frame, at_x, at_y, width, colours);
     }
 }
 

@@ -22,6 +22,8 @@ struct ui_memory {
     /* Tick at which fish number n of each player began to fly from the bowl to the counter (the
      * displayed number of fish). The index is n % UI_FLIGHT_MAX. */
     uint32_t flight_tick[POI_MAX][UI_FLIGHT_MAX];
+    /* Appearance number `look` (struct scene_fish) of the same fish. */
+    uint32_t flight_look[POI_MAX][UI_FLIGHT_MAX];
     uint32_t tick;         /* Tick of the scene that was shown last. */
     uint32_t pointed_tick; /* Tick of the last change of the selected tags. */
     /* Bit mask of the selected tags (`pointed`), and of the tags that were selected before the last

@@ -11,6 +11,9 @@ extern const uint32_t ui_player_colours[POI_MAX]; /* Colour of each player's rin
 
 /* Draws a goldfish with its nose to the left, centred at (x, y). */
 void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width);
+/* Draws the same goldfish with the colours 0xRRGGBBAA of its skin and of its patches. */
+void ui_fish_in_colours(const struct ui_frame *frame, float x, float y, float width,
+                        const uint32_t colours[2]);
 
 /* Draws a poi (the paper scoop), centred at (x, y). `paper_left` in [0, 1] is the fraction of the
  * paper that is not torn, and `ring` is the colour of the poi's ring. */

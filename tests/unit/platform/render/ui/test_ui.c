@@ -669,7 +669,8 @@ static void test_a_present_swims_into_a_bowl_on_the_result(void **state)
     (void)state;
     for (uint32_t k = 0; k < SIZE_COUNT * POI_MAX * LANGUAGE_COUNT; k++) {
         const uint32_t players = (uint32_t)(k / SIZE_COUNT) % POI_MAX + 1u;
-        for (float phase_s = 0.5f; phase_s < 4.0f; phase_s += 0.5f) {
+        for (uint32_t halves = 1; halves < 8u; halves++) {
+            const float phase_s = 0.5f * (float)halves;
             uint32_t fish[2] = { 0 }, bowls = 0;
             for (uint8_t with = 0; with < 2u; with++) {
                 set_scene(PHASE_RESULT, (uint8_t)(k % LANGUAGE_COUNT), HINT_START, phase_s);
@@ -731,6 +732,46 @@ static void test_caught_fish_fly_in_front_of_all_plates(void **state)
     (void)state;
     check_flight(MODE_FESTIVAL, 3);
     check_flight(MODE_CHAMPIONSHIP, 1);
+}
+
+#define LOOK_BLACK 0x01000c00u /* Appearance number of a black fish (textures.c). */
+#define LOOK_RED 0x01000000u
+
+/* Lays out a catch of the fish `falls`, which is above the fish `rests` in the same bowl. Returns
+ * the red of the fish that flies. */
+static uint32_t red_of_flight(uint32_t falls, uint32_t rests)
+{
+    const uint32_t looks[] = { rests, falls, LOOK_RED };
+    memory = (struct ui_memory){ 0 };
+    for (uint32_t caught = 1; caught < 3u; caught++) {
+        set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
+        set_match(MODE_FESTIVAL, 1, 1);
+        scene.tick += 30u * caught;
+        scene.caught[0] = caught;
+        scene.bowl[0].radius_m = 0.1f;
+        scene.fish_count = 3;
+        for (uint32_t i = 0; i < 3u; i++) { /* The highest fish is in the tank. */
+            scene.fish[i] = (struct scene_fish){ .look = looks[i],
+                                                 .place = i == 2u ? SCENE_IN_TANK : SCENE_IN_BOWL };
+            scene.fish[i].position_m = scene.bowl[0].position_m;
+            scene.fish[i].position_m.y += 0.01f * (float)i;
+        }
+        lay_out(sizes[0]);
+    }
+    for (uint32_t i = 1; i < batch.quad_count; i++) {
+        if (batch.kinds[i] == UI_FISH && batch.kinds[i - 1u] == UI_GLOW) {
+            return batch.vertices[i * 4u].fill[0];
+        }
+    }
+    fail_msg("no fish flies");
+    return 0;
+}
+
+static void test_a_flying_fish_has_the_colour_of_the_caught_fish(void **state)
+{
+    (void)state;
+    assert_in_range(red_of_flight(LOOK_BLACK, LOOK_RED), 1u, 60u);
+    assert_in_range(red_of_flight(LOOK_RED, LOOK_BLACK), 180u, 255u);
 }
 
 /* Lays out a round at `elapsed_ticks` after its first scene, with `caught` fish of player 0.
@@ -844,6 +885,7 @@ int main(void)
         cmocka_unit_test(test_the_tears_of_several_players_are_shown_in_turn),
         cmocka_unit_test(test_caught_fish_fly_to_the_counter_and_count_there),
         cmocka_unit_test(test_caught_fish_fly_in_front_of_all_plates),
+        cmocka_unit_test(test_a_flying_fish_has_the_colour_of_the_caught_fish),
         cmocka_unit_test(test_each_handle_has_the_number_of_its_player),
         cmocka_unit_test(test_a_near_miss_is_named_beside_its_poi_for_a_moment),
         cmocka_unit_test(test_the_largest_screen_leaves_quads_for_longer_languages),
