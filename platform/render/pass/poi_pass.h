@@ -61,8 +61,8 @@ void poi_pass_open(struct gl_status *status, struct poi_pass *pass);
 void poi_pass_close(struct poi_pass *pass);
 
 /* Computes the texels of a poi's paper. The four values of each cell are the wetness, the
- * integrity, the presence and the stress. In a hole, the presence falls from 255 at the edge over 128 at the
- * end of a flap to 0, and the last value is the distance from the edge in 1/32 cells. */
+ * integrity, the presence and the stress. In a hole, the presence falls from 255 at the edge over
+ * 128 at the end of a flap to 0, and the last value is the distance from the edge in 1/32 cells. */
 void poi_sheet_cells(const struct scene_poi *poi, uint8_t cells[SHEET_SIDE * SHEET_SIDE][4]);
 /* Uploads the cells of each poi's paper (poi_sheet_cells()) to the textures. */
 void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene);
