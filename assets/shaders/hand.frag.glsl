@@ -1,7 +1,7 @@
 // A hand in two layers: INSIDE, which is opaque, and the outline, which fades over one pixel.
 in vec4 tint;               // As in hand.vert.glsl.
 in vec3 place;
-uniform sampler2D cloth;    // Pattern of the cloth.
+uniform mediump sampler2DArray surfaces; // Layer 0: pattern of the cloth. Layer 1: skin.
 out vec4 color;
 
 void main()
@@ -12,7 +12,8 @@ void main()
         discard;
     }
 #endif
-    vec3 c = mix(tint.rgb, vec3(0.98, 0.96, 0.90) * tint.a, texture(cloth, place.xy).r);
+    vec3 light = texture(surfaces, vec3(place.xy, place.y < 0.0 ? 1.0 : 0.0)).rgb;
+    vec3 c = mix(tint.rgb, vec3(0.98, 0.96, 0.90) * tint.a, light);
 #ifdef INSIDE
     color = vec4(c, 1.0);
 #else

@@ -1,6 +1,6 @@
-/* hand_mesh.c -- builds the mesh of a hand with its sleeve; see hand_mesh.h. The surface of a hand
- * is the smooth union of tapered bones, which gives soft transitions between the fingers and the
- * palm. The occlusion of the sky at each vertex comes from the same distance function. */
+/* hand_mesh.c -- builds the mesh of a hand with its sleeve, and the picture of the skin; see
+ * hand_mesh.h. The fingers are bent tubes. The palm is the smooth union of tapered bones. The light
+ * that reaches each place of the skin comes from the distance to the surface of these shapes. */
 #include "platform/render/pass/hand_mesh.h"
 
 #include "core/base/panic.h"
@@ -11,294 +11,362 @@ struct bone {
     float from_radius, to_radius;
 };
 
-/* Number of bones of a finger, from the knuckle to the tip. */
-#define FINGER_BONES 3u
-#define FINGER_COUNT 5u /* The thumb is finger 0. */
-#define PALM_FIRST (FINGER_COUNT * FINGER_BONES)
-/* The thumb lies on the handle and points to the ring. The other fingers wrap the handle: from the
- * knuckles on the right, down, below the handle, and up on the left. */
-static const struct bone bones[] = {
-    { { 0.02f, 0.18f, 4.72f }, { -0.25f, 0.37f, 3.86f }, 0.32f, 0.28f },
-    { { -0.26f, 0.38f, 3.86f }, { -0.15f, 0.38f, 3.12f }, 0.26f, 0.205f },
-    { { -0.15f, 0.38f, 3.12f }, { 0.00f, 0.24f, 2.60f }, 0.215f, 0.165f },
-    { { 0.47f, 0.32f, 3.08f }, { 0.46f, -0.34f, 2.64f }, 0.235f, 0.20f },
-    { { 0.46f, -0.34f, 2.64f }, { 0.02f, -0.50f, 2.54f }, 0.195f, 0.175f },
-    { { 0.02f, -0.50f, 2.54f }, { -0.32f, -0.26f, 2.56f }, 0.175f, 0.145f },
-    { { 0.62f, 0.24f, 3.46f }, { 0.58f, -0.46f, 3.06f }, 0.245f, 0.205f },
-    { { 0.58f, -0.46f, 3.06f }, { 0.05f, -0.58f, 2.94f }, 0.20f, 0.18f },
-    { { 0.05f, -0.58f, 2.94f }, { -0.33f, -0.32f, 2.96f }, 0.18f, 0.15f },
-    { { 0.64f, 0.11f, 3.83f }, { 0.56f, -0.54f, 3.44f }, 0.235f, 0.195f },
-    { { 0.56f, -0.54f, 3.44f }, { 0.05f, -0.62f, 3.33f }, 0.195f, 0.175f },
-    { { 0.05f, -0.62f, 3.33f }, { -0.29f, -0.36f, 3.34f }, 0.17f, 0.145f },
-    { { 0.57f, -0.03f, 4.16f }, { 0.48f, -0.56f, 3.80f }, 0.20f, 0.165f },
-    { { 0.48f, -0.56f, 3.80f }, { 0.08f, -0.60f, 3.70f }, 0.165f, 0.15f },
-    { { 0.08f, -0.60f, 3.70f }, { -0.20f, -0.40f, 3.70f }, 0.15f, 0.125f },
-    /* The palm: a bone from the wrist to each knuckle, and the ball of the thumb. */
-    { { 0.12f, 0.24f, 5.00f }, { 0.48f, 0.32f, 3.12f }, 0.30f, 0.24f },
-    { { 0.22f, 0.18f, 5.00f }, { 0.60f, 0.23f, 3.50f }, 0.30f, 0.24f },
-    { { 0.30f, 0.12f, 5.00f }, { 0.62f, 0.10f, 3.86f }, 0.30f, 0.24f },
-    { { 0.34f, 0.06f, 5.00f }, { 0.55f, -0.06f, 4.20f }, 0.28f, 0.22f },
-    { { 0.02f, 0.10f, 4.70f }, { 0.18f, 0.20f, 3.62f }, 0.34f, 0.24f },
-    /* The web between the thumb and the index finger, and the knuckles. */
-    { { -0.16f, 0.22f, 3.95f }, { 0.36f, 0.22f, 3.30f }, 0.24f, 0.16f },
-    { { 0.50f, 0.38f, 3.10f }, { 0.51f, 0.30f, 2.98f }, 0.20f, 0.19f },
-    { { 0.65f, 0.29f, 3.48f }, { 0.66f, 0.20f, 3.36f }, 0.20f, 0.19f },
-    { { 0.69f, 0.14f, 3.85f }, { 0.69f, 0.06f, 3.74f }, 0.19f, 0.18f },
-    /* The forearm, which is wider than thick. */
-    { { 0.13f, 0.16f, 5.00f }, { 0.10f, 0.14f, 7.40f }, 0.33f, 0.46f },
-    { { 0.33f, 0.10f, 5.00f }, { 0.36f, 0.10f, 7.40f }, 0.31f, 0.44f },
+/* Number of joints of a finger, from the knuckle to the tip. The knuckle is inside the palm. */
+#define JOINT_COUNT 4u
+#define FINGER_COUNT 5u /* The thumb is finger 0, and the index finger is finger 1. */
+
+struct finger {
+    vec3 joints[JOINT_COUNT];
+    float radii[JOINT_COUNT];
 };
-#define BONE_COUNT (sizeof bones / sizeof *bones)
 
-#define BLEND 0.10f /* Width of the smooth transition between two bones. */
+/* The thumb presses the handle from the left, and the index finger lies on the handle. The other
+ * fingers bend around the right side of the handle. Their tips are below the handle. */
+static const struct finger fingers[FINGER_COUNT] = {
+    { { { 0.07f, 0.12f, 4.76f },
+        { -0.38f, 0.20f, 4.00f },
+        { -0.42f, 0.16f, 3.36f },
+        { -0.23f, 0.02f, 2.88f } },
+      { 0.22f, 0.250f, 0.220f, 0.170f } },
+    { { { 0.03f, 0.31f, 4.05f },
+        { 0.13f, 0.47f, 3.12f },
+        { 0.13f, 0.33f, 2.82f },
+        { 0.07f, 0.18f, 2.64f } },
+      { 0.17f, 0.215f, 0.190f, 0.155f } },
+    { { { 0.27f, 0.34f, 4.00f },
+        { 0.46f, 0.31f, 3.04f },
+        { 0.40f, -0.18f, 2.86f },
+        { 0.04f, -0.34f, 2.96f } },
+      { 0.17f, 0.225f, 0.200f, 0.165f } },
+    { { { 0.49f, 0.28f, 4.08f },
+        { 0.71f, 0.14f, 3.27f },
+        { 0.55f, -0.31f, 3.16f },
+        { 0.14f, -0.40f, 3.32f } },
+      { 0.16f, 0.220f, 0.195f, 0.160f } },
+    { { { 0.64f, 0.16f, 4.25f },
+        { 0.82f, -0.03f, 3.62f },
+        { 0.62f, -0.36f, 3.52f },
+        { 0.26f, -0.40f, 3.68f } },
+      { 0.14f, 0.190f, 0.170f, 0.140f } },
+};
+
+/* The palm: a bone from the wrist to each knuckle, and the balls of the thumb and of the little
+ * finger. Then the forearm, which is wider than thick. */
+static const struct bone palm[] = {
+    { { 0.12f, 0.18f, 5.00f }, { 0.04f, 0.37f, 3.80f }, 0.29f, 0.25f },
+    { { 0.20f, 0.18f, 5.00f }, { 0.29f, 0.40f, 3.72f }, 0.29f, 0.25f },
+    { { 0.27f, 0.16f, 5.00f }, { 0.53f, 0.33f, 3.82f }, 0.29f, 0.24f },
+    { { 0.33f, 0.13f, 5.00f }, { 0.71f, 0.20f, 4.04f }, 0.28f, 0.22f },
+    { { 0.06f, 0.14f, 4.86f }, { -0.28f, 0.17f, 4.14f }, 0.30f, 0.27f },
+    { { 0.36f, 0.06f, 4.86f }, { 0.62f, 0.02f, 4.14f }, 0.28f, 0.26f },
+    { { 0.13f, 0.16f, 5.00f }, { 0.10f, 0.14f, 7.40f }, 0.29f, 0.44f },
+    { { 0.32f, 0.12f, 5.00f }, { 0.36f, 0.10f, 7.40f }, 0.27f, 0.42f },
+};
+#define PALM_BONES (sizeof palm / sizeof *palm)
+
+#define BLEND 0.12f /* Width of the smooth transition between two bones of the palm. */
 #define STEPS_MAX 12u
-#define INSIDE 0.02f /* Depth from which a vertex is hidden inside the hand. */
-/* The rows of the thumb whose `v` is above 1 / TIP_FROM close its tip. */
-#define TIP_FROM 1.5f
 
-/* Number of joints of a finger, from the knuckle to the end of the last bone. */
-#define JOINT_COUNT (FINGER_BONES + 1u)
-#define THUMB_COLUMNS 8u
-#define THUMB_ROWS 7u
-#define FIST_COLUMNS 18u
-#define FIST_ROWS (JOINT_COUNT + 2u)
-#define PALM_COLUMNS 11u
-#define PALM_ROWS 7u
-#define SLEEVE_COLUMNS 13u
-#define SLEEVE_ROWS 4u
+/* Columns and rows of the grids. The first and the last column of a tube are the same line. */
+#define FINGER_COLUMNS 6u
+#define FINGER_ROWS 7u
+#define PALM_COLUMNS 9u
+#define PALM_ROWS 6u
+#define SLEEVE_COLUMNS 11u
+#define SLEEVE_ROWS 7u
 
-#define CUFF_V (1.0f / 3.0f) /* Coordinate `v` of the grid at which the sleeve begins. */
-/* End of the palm along z, and coordinates `v` of the grid at the wrist and at the knuckles. */
+/* Factor for the radius of the vertices of a finger, whose five sides lie inside its circle. */
+#define FIVE_SIDES 1.16f
+/* End of the palm along z, and coordinates `v` of the grid at the knuckles and at the wrist. */
 #define PALM_END_Z 7.2f
-#define PALM_BEND (4.0f / 6.0f)
-#define PALM_CAP (2.0f / 6.0f)
+#define PALM_CAP (2.0f / 5.0f)
+#define PALM_BEND (4.0f / 5.0f)
 
-/* Returns the signed distance of `p` from the surface of a hand. */
-static float distance_to(vec3 p)
+/* Rows of texels of the picture of the skin that show one finger, and the palm. Along a row lies
+ * the direction from the knuckle to the tip. */
+#define FINGER_TEXELS (HAND_SKIN_SIDE / 8u)
+#define PALM_TEXELS (HAND_SKIN_SIDE - FINGER_COUNT * FINGER_TEXELS)
+
+static float distance_to_bone(vec3 p, const struct bone *bone)
+{
+    const vec3 along = v3_sub(bone->to, bone->from);
+    const vec3 there = v3_sub(p, bone->from);
+    const float t = f_clamp(v3_dot(there, along) / v3_dot(along, along), 0.0f, 1.0f);
+    const float radius = f_lerp(bone->from_radius, bone->to_radius, t);
+    return v3_length(v3_muladd(there, along, -t)) - radius;
+}
+
+/* Returns the signed distance of `p` from the surface of the palm and the forearm. */
+static float distance_to_palm(vec3 p)
 {
     float nearest = 1e3f;
-    for (uint32_t i = 0; i < BONE_COUNT; i++) {
-        const vec3 along = v3_sub(bones[i].to, bones[i].from);
-        const vec3 there = v3_sub(p, bones[i].from);
-        const float t = f_clamp(v3_dot(there, along) / v3_dot(along, along), 0.0f, 1.0f);
-        const float radius = f_lerp(bones[i].from_radius, bones[i].to_radius, t);
-        const float distance = v3_length(v3_muladd(there, along, -t)) - radius;
+    for (uint32_t i = 0; i < PALM_BONES; i++) {
+        const float distance = distance_to_bone(p, &palm[i]);
         const float h = f_max(BLEND - f_abs(distance - nearest), 0.0f) / BLEND;
         nearest = f_min(distance, nearest) - 0.25f * BLEND * h * h;
     }
     return nearest;
 }
 
-static vec3 normal_at(vec3 p)
+/* Returns the signed distance of `p` from the surface of the palm and of all fingers. */
+static float distance_to_hand(vec3 p)
 {
-    const float e = 0.01f;
-    const vec3 slope = v3(distance_to(v3(p.x + e, p.y, p.z)) - distance_to(v3(p.x - e, p.y, p.z)),
-                          distance_to(v3(p.x, p.y + e, p.z)) - distance_to(v3(p.x, p.y - e, p.z)),
-                          distance_to(v3(p.x, p.y, p.z + e)) - distance_to(v3(p.x, p.y, p.z - e)));
-    return v3_normalize_or(slope, v3(0.0f, 1.0f, 0.0f));
+    float nearest = distance_to_palm(p);
+    for (uint32_t i = 0; i < FINGER_COUNT; i++) {
+        const struct finger *const finger = &fingers[i];
+        for (uint32_t k = 0; k + 1u < JOINT_COUNT; k++) {
+            const struct bone bone = { finger->joints[k], finger->joints[k + 1u], finger->radii[k],
+                                       finger->radii[k + 1u] };
+            nearest = f_min(nearest, distance_to_bone(p, &bone));
+        }
+    }
+    return nearest;
 }
 
-/* Returns the point at which a ray from `from` leaves the hand. Returns `from` if it is outside the
- * hand, and the point at the distance `reach` if the ray does not leave the hand before. */
-static vec3 leave_hand(vec3 from, vec3 way, float reach)
+static vec3 palm_normal(vec3 p)
 {
-    float at = 0.0f;
-    for (uint32_t i = 0; i < STEPS_MAX && at < reach; i++) {
-        at = f_max(at - distance_to(v3_muladd(from, way, at)), 0.0f);
-    }
-    return v3_muladd(from, way, f_min(at, reach));
+    const float e = 0.01f;
+    const float here = distance_to_palm(p);
+    const vec3 slope = v3(distance_to_palm(v3(p.x + e, p.y, p.z)) - here,
+                          distance_to_palm(v3(p.x, p.y + e, p.z)) - here,
+                          distance_to_palm(v3(p.x, p.y, p.z + e)) - here);
+    return v3_normalize_or(slope, v3(0.0f, 1.0f, 0.0f));
 }
 
 /* Returns the fraction of the light from all sides that reaches a point of the surface. */
 static float openness(vec3 p, vec3 normal)
 {
     float shut = 0.0f;
-    for (uint32_t i = 1; i <= 4u; i++) {
-        const float height = 0.10f * (float)(i * i) * 0.5f;
-        const float free = distance_to(v3_muladd(p, normal, height));
-        shut += f_clamp(1.0f - free / height, 0.0f, 1.0f) * (0.46f - 0.08f * (float)i);
+    for (uint32_t i = 1; i <= 3u; i++) {
+        const float height = 0.07f * (float)(i * i);
+        const float free = distance_to_hand(v3_muladd(p, normal, height));
+        shut += f_clamp(1.0f - free / height, 0.0f, 1.0f) * (0.54f - 0.10f * (float)i);
     }
     return f_clamp(1.0f - shut, 0.0f, 1.0f);
 }
 
-/* Returns the unit vector at the angle `turn` (in turns) around `along`, counter-clockwise as seen
- * against `along`. The turn 0 is at a right angle to `across`. */
-static vec3 around(vec3 along, vec3 across, float turn)
-{
-    const vec3 side = v3_normalize_or(v3_cross(across, along), v3(1.0f, 0.0f, 0.0f));
-    const vec3 up = v3_cross(along, side);
-    return v3_add(v3_scale(side, f_cos(turn * F_TAU)), v3_scale(up, f_sin(turn * F_TAU)));
-}
-
-/* Returns a point of the thumb. `v` runs from the wrist to the tip. The last rows close the tip as
- * a part of a sphere. */
-static struct shape_vertex thumb_point(float u, float v, const void *context)
-{
-    (void)context;
-    const float at = f_min(v * TIP_FROM, 1.0f) * (float)FINGER_BONES;
-    const uint32_t index = at < (float)FINGER_BONES ? (uint32_t)at : FINGER_BONES - 1u;
-    const struct bone *const bone = &bones[index];
-    const float t = at - (float)index;
-    const vec3 along = v3_normalize_or(v3_sub(bone->to, bone->from), v3(0.0f, 0.0f, -1.0f));
-    const float tip = f_max(v * TIP_FROM - 1.0f, 0.0f) / (TIP_FROM - 1.0f);
-    const vec3 way =
-        v3_add(v3_scale(around(along, v3(0.0f, 1.0f, 0.0f), u), f_cos(0.5f * F_PI * tip)),
-               v3_scale(along, f_sin(0.5f * F_PI * tip)));
-    const float radius = f_lerp(bone->from_radius, bone->to_radius, t);
-    const vec3 centre = v3_lerp(bone->from, bone->to, t);
-    return (struct shape_vertex){ .position = leave_hand(centre, way, 1.12f * radius), .u = 1.0f };
-}
-
-/* Fraction of the palm that the fingers cover behind their knuckles, so that no gap opens there. */
-#define KNUCKLE_BACK 0.2f
-
-/* Returns joint `joint` of a finger. Joint 0 is behind the knuckle. */
-static vec3 joint_of(uint32_t finger, uint32_t joint)
-{
-    const struct bone *const first = &bones[finger * FINGER_BONES];
-    CORE_ASSERT(joint < JOINT_COUNT);
-    const vec3 wrist = v3(HAND_WRIST_X, HAND_WRIST_Y, HAND_WRIST_Z);
-    return joint == 0 ? v3_lerp(first->from, wrist, KNUCKLE_BACK) : first[joint - 1u].to;
-}
-
-/* Returns the direction of a finger at joint `joint`. */
-static vec3 tangent_of(uint32_t finger, uint32_t joint)
-{
-    const uint32_t before = joint > 0 ? joint - 1u : 0;
-    const uint32_t after = joint + 1u < JOINT_COUNT ? joint + 1u : joint;
-    return v3_normalize_or(v3_sub(joint_of(finger, after), joint_of(finger, before)),
-                           v3(0.0f, -1.0f, 0.0f));
-}
-
-/* Sources of the normal of a vertex: the slope of the distance, the grid, and the common direction
- * of the inner sides of the fingers, which would otherwise fade where they meet the tips. */
-#define NORMAL_SLOPE 0.0f
-#define NORMAL_GRID 1.0f
-#define NORMAL_INNER 2.0f
-
-/* Depth of the groove between two closed fingers: 1 is the depth between round fingers. */
-#define GROOVE 0.4f
-
-/* A column of the fingers, which are closed together. */
-struct fist_column {
-    float finger; /* 0 for the index finger, 3 for the little finger. */
-    float turn;   /* Turns around the finger: 0 on its back, 0.25 toward the little finger. */
+/* A place on a finger: its point, the direction away from the bone, and where it lies. */
+struct finger_place {
+    vec3 point, normal;
+    float joint;  /* Joints from the knuckle (0) to the tip (3). */
+    float turn;   /* Turns around the finger, from 0 at its back to 0.5 on both sides. */
+    float capped; /* 0 before the tip, and 1 at the end of the finger. */
 };
 
-/* Returns a point of the four fingers. `v` runs from the knuckles to the tips. `u` runs around the
- * fingers: from the side of the index finger over the backs, and back along the inner sides. `v` of
- * the vertex is the source of its normal. */
-static struct shape_vertex fist_point(float u, float v, const void *context)
+/* Returns the place of finger `finger` at (u, v). `v` runs from the knuckle to the end of the tip.
+ * `u` runs around the finger, whose back has the coordinate 0.5. */
+static struct finger_place finger_at(const struct finger *finger, float u, float v, float scale)
 {
-    (void)context;
-    static const struct fist_column columns[FIST_COLUMNS] = {
-        { 0.0f, -0.25f }, { 0.0f, -0.10f }, { 0.0f, 0.10f },  { 0.5f, 0.0f },  { 1.0f, -0.10f },
-        { 1.0f, 0.10f },  { 1.5f, 0.0f },   { 2.0f, -0.10f }, { 2.0f, 0.10f }, { 2.5f, 0.0f },
-        { 3.0f, -0.10f }, { 3.0f, 0.10f },  { 3.0f, 0.25f },  { 3.0f, 0.5f },  { 2.0f, 0.5f },
-        { 1.0f, 0.5f },   { 0.0f, 0.5f },   { 0.0f, 0.75f },
-    };
-    const float row = v * (float)(FIST_ROWS - 1u);
-    const float at = f_min(row, (float)(JOINT_COUNT - 1u));
-    const uint32_t joint = at < (float)(JOINT_COUNT - 1u) ? (uint32_t)at : JOINT_COUNT - 2u;
-    const float t = at - (float)joint;
-    const float column = u * (float)(FIST_COLUMNS - 1u);
-    const uint32_t from =
-        column < (float)(FIST_COLUMNS - 1u) ? (uint32_t)column : FIST_COLUMNS - 2u;
-    const float part = column - (float)from;
-    const float place = f_lerp(columns[from].finger, columns[from + 1u].finger, part);
-    const float turn = f_lerp(columns[from].turn, columns[from + 1u].turn, part);
-    const uint32_t finger = place < 3.0f ? 1u + (uint32_t)place : 3u;
-    const float share = place - (float)(finger - 1u);
-    vec3 centre[2], along[2];
-    for (uint32_t i = 0; i < 2u; i++) {
-        centre[i] = v3_lerp(joint_of(finger + i, joint), joint_of(finger + i, joint + 1u), t);
-        along[i] = v3_lerp(tangent_of(finger + i, joint), tangent_of(finger + i, joint + 1u), t);
+    /* Joints at which the rows of the grid lie. A bent joint has two rows. */
+    static const float rows[FINGER_ROWS] = { 0.0f, 0.70f, 1.42f, 2.1f, 3.0f, 3.0f, 3.0f };
+    static const float caps[FINGER_ROWS] = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.58f, 1.0f };
+    const float row = f_clamp(v, 0.0f, 1.0f) * (float)(FINGER_ROWS - 1u);
+    const uint32_t from = row < (float)(FINGER_ROWS - 1u) ? (uint32_t)row : FINGER_ROWS - 2u;
+    const float t = f_lerp(rows[from], rows[from + 1u], row - (float)from);
+    const float cap = f_lerp(caps[from], caps[from + 1u], row - (float)from);
+    const uint32_t joint = t < 2.0f ? (uint32_t)t : 2u;
+    vec3 bones[JOINT_COUNT - 1u];
+    for (uint32_t i = 0; i < JOINT_COUNT - 1u; i++) {
+        bones[i] = v3_normalize_or(v3_sub(finger->joints[i + 1u], finger->joints[i]),
+                                   v3(0.0f, 0.0f, -1.0f));
     }
-    const vec3 tangent = v3_normalize_or(v3_lerp(along[0], along[1], share), along[0]);
-    const vec3 across =
-        v3_normalize_or(v3_lerp(v3_sub(joint_of(4u, joint), joint_of(1u, joint)),
-                                v3_sub(joint_of(4u, joint + 1u), joint_of(1u, joint + 1u)), t),
-                        v3(0.0f, 0.0f, 1.0f));
-    const vec3 outward = v3_normalize_or(v3_cross(across, tangent), v3(1.0f, 0.0f, 0.0f));
-    const float c = f_cos(turn * F_TAU), s = f_sin(turn * F_TAU);
-    const vec3 ring = v3_add(v3_scale(outward, c), v3_scale(across, s));
-    const float tip = 0.25f * F_PI * f_max(row - (float)(JOINT_COUNT - 1u), 0.0f);
-    const vec3 way = v3_add(v3_scale(ring, f_cos(tip)), v3_scale(tangent, f_sin(tip)));
-    /* A column between two fingers lies low, and little light falls there. The tips are joined. */
-    const bool is_between = f_abs(share - 0.5f) < 0.4f;
-    const bool is_tip = row > (float)FIST_ROWS - 1.5f;
-    const bool is_inner = f_abs(turn - 0.5f) < 0.1f && row > 1.5f;
-    const vec3 low = leave_hand(v3_lerp(centre[0], centre[1], share), way, 0.05f);
-    const vec3 high =
-        v3_lerp(leave_hand(centre[0], way, 0.3f), leave_hand(centre[1], way, 0.3f), share);
-    const float depth = is_between && !is_tip ? GROOVE : 0.0f;
-    return (struct shape_vertex){ .position = v3_lerp(high, low, depth),
-                                  .u = is_between ? 0.5f : 1.0f,
-                                  .v = is_inner     ? NORMAL_INNER
-                                       : is_between ? NORMAL_GRID
-                                                    : NORMAL_SLOPE };
+    const vec3 first = v3_lerp(bones[0], bones[1], f_smoothstep(0.7f, 1.42f, t));
+    const vec3 along =
+        v3_normalize_or(v3_lerp(first, bones[2], f_smoothstep(1.7f, 2.3f, t)), first);
+    const vec3 axis = v3_cross(bones[0], bones[2]); /* The joints bend around this axis. */
+    const vec3 back = v3_normalize_or(v3_cross(along, axis), v3(0.0f, 1.0f, 0.0f));
+    const vec3 side = v3_cross(back, along);
+    const float angle = (u - 0.5f) * F_TAU;
+    const vec3 ring = v3_add(v3_scale(back, f_cos(angle)), v3_scale(side, 0.0f - f_sin(angle)));
+    const vec3 way =
+        v3_add(v3_scale(ring, f_cos(0.5f * F_PI * cap)), v3_scale(along, f_sin(0.5f * F_PI * cap)));
+    const float share = t - (float)joint;
+    const vec3 centre = v3_lerp(finger->joints[joint], finger->joints[joint + 1u], share);
+    const float radius = scale * f_lerp(finger->radii[joint], finger->radii[joint + 1u], share);
+    return (struct finger_place){ .point = v3_muladd(centre, way, radius),
+                                  .normal = way,
+                                  .joint = t,
+                                  .turn = f_abs(u - 0.5f),
+                                  .capped = cap };
 }
 
-/* Returns a point of the palm and the forearm. `v` runs from the knuckles to the forearm. The first
- * rows close the palm at the knuckles. */
-static struct shape_vertex palm_point(float u, float v, const void *context)
+static struct shape_vertex finger_point(float u, float v, const void *context)
 {
-    (void)context;
-    const vec3 knuckles = v3(0.55f, 0.13f, 3.55f),
+    const struct finger *const finger = context;
+    const float row = (float)(finger - fingers) * (float)FINGER_TEXELS + 0.5f;
+    return (struct shape_vertex){
+        .position = finger_at(finger, u, v, FIVE_SIDES).point,
+        .u = (0.5f + v * (float)(HAND_SKIN_SIDE - 1u)) / (float)HAND_SKIN_SIDE,
+        .v = (row + u * (float)(FINGER_TEXELS - 1u)) / (float)HAND_SKIN_SIDE - 1.0f,
+    };
+}
+
+/* Returns the point of the palm at (u, v). `v` runs from the knuckles to the forearm. The first
+ * rows close the palm at the knuckles. */
+static vec3 palm_at(float u, float v)
+{
+    const vec3 knuckles = v3(0.34f, 0.27f, 4.0f),
                wrist = v3(HAND_WRIST_X, HAND_WRIST_Y, HAND_WRIST_Z);
     const vec3 end = v3(HAND_WRIST_X + 0.01f, HAND_WRIST_Y - 0.02f, PALM_END_Z);
     const vec3 centre =
         v < PALM_BEND ? v3_lerp(knuckles, wrist, f_max(v - PALM_CAP, 0.0f) / (PALM_BEND - PALM_CAP))
                       : v3_lerp(wrist, end, (v - PALM_BEND) / (1.0f - PALM_BEND));
     const float ahead = 0.5f * F_PI * f_max(PALM_CAP - v, 0.0f) / PALM_CAP;
-    const vec3 ring = around(v3(0.0f, 0.0f, 1.0f), v3(0.0f, 1.0f, 0.0f), u);
-    const vec3 way = v3_add(v3_scale(ring, f_cos(ahead)), v3(0.0f, 0.0f, -f_sin(ahead)));
-    return (struct shape_vertex){ .position = leave_hand(centre, way, 1.2f), .u = 1.0f };
+    const float angle = u * F_TAU;
+    const vec3 way =
+        v3(f_sin(angle) * f_cos(ahead), 0.0f - f_cos(angle) * f_cos(ahead), 0.0f - f_sin(ahead));
+    float at = 0.0f;
+    for (uint32_t i = 0; i < STEPS_MAX; i++) {
+        at = f_max(at - distance_to_palm(v3_muladd(centre, way, at)), 0.0f);
+    }
+    return v3_muladd(centre, way, at);
 }
 
-/* Returns a point of the sleeve. The first rows are the inside of the cuff. The sleeve is widest at
- * the cuff, where its lower edge hangs, and has folds along the arm. `u` and `v` of the vertex are
- * the openness and the distance around the sleeve, which is never negative. */
+static struct shape_vertex palm_point(float u, float v, const void *context)
+{
+    (void)context;
+    const float row = (float)(FINGER_COUNT * FINGER_TEXELS) + 0.5f;
+    return (struct shape_vertex){
+        .position = palm_at(u, v),
+        .u = (0.5f + v * (float)(HAND_SKIN_SIDE - 1u)) / (float)HAND_SKIN_SIDE,
+        .v = (row + u * (float)(PALM_TEXELS - 1u)) / (float)HAND_SKIN_SIDE - 1.0f,
+    };
+}
+
+/* Returns a point of the sleeve. The first rows are the dark inside of the cuff, which is visible
+ * behind the wrist because the lower edge of the cuff is in front of the upper edge. Then follow
+ * the hem and the cloth. The cloth hangs below the cuff and has folds along the arm. `u` and `v` of
+ * the vertex are the openness, and the distance around the sleeve or HAND_HEM. */
 static struct shape_vertex sleeve_point(float u, float v, const void *context)
 {
     (void)context;
-    const float along = f_max(v - CUFF_V, 0.0f) / (1.0f - CUFF_V);
-    const float inside = f_max(CUFF_V - v, 0.0f) / CUFF_V;
+    /* Places of the rows along the sleeve. Two rows lie at the same place where the cloth changes.
+     * */
+    static const float alongs[SLEEVE_ROWS] = { 0.0f, 0.0f, 0.0f, 0.05f, 0.05f, 0.36f, 1.0f };
+    const float row = f_clamp(v, 0.0f, 1.0f) * (float)(SLEEVE_ROWS - 1u);
+    const uint32_t from = row < (float)(SLEEVE_ROWS - 1u) ? (uint32_t)row : SLEEVE_ROWS - 2u;
+    const float along = f_lerp(alongs[from], alongs[from + 1u], row - (float)from);
+    const float inside = f_max(1.0f - row, 0.0f);
     const float c = f_sin(u * F_TAU), s = 0.0f - f_cos(u * F_TAU);
-    const float hangs = 0.55f + 1.15f * (1.0f - along) * (1.0f - along);
-    const float width = f_lerp(0.86f, 0.98f, along);
-    const float folds =
-        0.030f * f_sin(u * F_TAU * 5.0f + 9.0f * along) * f_smoothstep(0.0f, 0.2f, along) +
-        0.022f * f_sin(u * F_TAU * 3.0f - 14.0f * along);
+    const float loose = (1.0f - along) * (1.0f - along);
+    const float folds = 0.05f * f_sin(u * F_TAU * 4.0f + 7.0f * along) * (1.0f - 0.5f * loose);
     const float wide = (1.0f + folds) * (1.0f - 0.10f * inside);
-    const float height = s > 0.0f ? 0.68f * s : hangs * s;
-    const vec3 p = v3(HAND_WRIST_X + width * wide * c, HAND_WRIST_Y + wide * height,
-                      HAND_CUFF_Z + 0.12f * (0.0f - s) + (HAND_SLEEVE_END_Z - HAND_CUFF_Z) * along +
-                          0.9f * inside);
-    return (struct shape_vertex){ .position = p,
-                                  .u = f_lerp(0.72f + 0.28f * s, 0.10f, f_min(8.0f * inside, 1.0f)),
-                                  .v = 6.0f * u };
+    const float height = s > 0.0f ? (0.62f + 0.10f * loose) * s : (0.55f + 0.80f * loose) * s;
+    const vec3 p =
+        v3(HAND_WRIST_X + (0.84f + 0.32f * loose) * wide * c, HAND_WRIST_Y + wide * height,
+           HAND_CUFF_Z + 0.42f * s * loose + (HAND_SLEEVE_END_Z - HAND_CUFF_Z) * along +
+               1.0f * inside);
+    const bool is_hem = row > 1.5f && row < 3.5f;
+    const float open = row < 1.5f ? f_lerp(0.46f, 0.14f, inside) : 0.86f + 0.14f * s;
+    return (struct shape_vertex){ .position = p, .u = open, .v = is_hem ? HAND_HEM : 6.0f * u };
+}
+
+/* Replaces the normals of a grid of `columns`, whose first and last column are the same line, by
+ * the means of the normals of the triangles. The edge of the drawn hand is where the normals turn
+ * away from the camera, so that normals that do not agree with the triangles leave holes. */
+static void smooth_normals(struct shape *shape, uint32_t first, uint32_t first_index,
+                           uint32_t columns)
+{
+    for (uint32_t i = first; i < shape->vertex_count; i++) {
+        shape->vertices[i].normal = v3(0.0f, 0.0f, 0.0f);
+    }
+    for (uint32_t i = first_index; i < shape->index_count; i += 3) {
+        const uint16_t *const corners = &shape->indices[i];
+        const vec3 a = shape->vertices[corners[0]].position;
+        const vec3 normal = v3_cross(v3_sub(shape->vertices[corners[1]].position, a),
+                                     v3_sub(shape->vertices[corners[2]].position, a));
+        for (uint32_t k = 0; k < 3; k++) {
+            vec3 *const sum = &shape->vertices[corners[k]].normal;
+            *sum = v3_add(*sum, normal);
+        }
+    }
+    for (uint32_t i = first; i < shape->vertex_count; i += columns) {
+        struct shape_vertex *const row = &shape->vertices[i];
+        row[0].normal = row[columns - 1u].normal = v3_add(row[0].normal, row[columns - 1u].normal);
+        for (uint32_t k = 0; k < columns; k++) {
+            row[k].normal = v3_normalize_or(row[k].normal, v3(0.0f, 0.0f, -1.0f));
+        }
+    }
 }
 
 void hand_mesh(struct shape *shape)
 {
-    CORE_ASSERT(BONE_COUNT > PALM_FIRST);
     /* Parts that hide others come first, so that hidden pixels are not shaded. */
     shape_grid(shape, SLEEVE_COLUMNS, SLEEVE_ROWS, sleeve_point, NULL);
-    const uint32_t first = shape->vertex_count;
-    shape_grid(shape, THUMB_COLUMNS, THUMB_ROWS, thumb_point, NULL);
+    uint32_t vertex = shape->vertex_count, index = shape->index_count;
     shape_grid(shape, PALM_COLUMNS, PALM_ROWS, palm_point, NULL);
-    shape_grid(shape, FIST_COLUMNS, FIST_ROWS, fist_point, NULL);
-    for (uint32_t i = first; i < shape->vertex_count; i++) {
-        struct shape_vertex *const vertex = &shape->vertices[i];
-        /* A vertex inside the hand keeps the normal of the grid, because the slope of the distance
-         * may point anywhere there. */
-        if (vertex->v == NORMAL_INNER) {
-            vertex->normal = v3(-0.39f, 0.92f, 0.0f);
-        } else if (vertex->v == NORMAL_SLOPE && distance_to(vertex->position) > -INSIDE) {
-            vertex->normal = normal_at(vertex->position);
+    smooth_normals(shape, vertex, index, PALM_COLUMNS);
+    for (uint32_t i = 0; i < FINGER_COUNT; i++) {
+        vertex = shape->vertex_count;
+        index = shape->index_count;
+        shape_grid(shape, FINGER_COLUMNS, FINGER_ROWS, finger_point, &fingers[i]);
+        smooth_normals(shape, vertex, index, FINGER_COLUMNS);
+    }
+}
+
+/* Writes the colour of the skin for the fraction `light` of the light, [0, 1]. Light that enters
+ * the skin leaves it red, so that shadows are warm. `blush` and `nail` in [0, 1] mix in the colours
+ * of a joint and of a nail. */
+static void paint_skin(uint8_t *texel, float light, float blush, float nail)
+{
+    static const float skins[3] = { 1.0f, 0.77f, 0.62f };
+    static const float blushes[3] = { 0.98f, 0.64f, 0.50f };
+    static const float nails[3] = { 1.0f, 0.82f, 0.74f };
+    static const float warmth[3] = { 0.40f, 0.02f, -0.06f };
+    for (uint32_t i = 0; i < 3u; i++) {
+        const float lit = light * (1.0f + warmth[i] * (1.0f - light));
+        const float tone = f_lerp(f_lerp(skins[i], blushes[i], blush), nails[i], nail);
+        texel[i] = (uint8_t)(255.0f * f_clamp(lit * tone, 0.0f, 1.0f));
+    }
+}
+
+/* Returns the light on a surface: little in grooves, and more on a surface that faces up. A place
+ * inside another part of the hand is light, because the triangles may show this place. */
+static float light_on(vec3 p, vec3 normal)
+{
+    const float buried = f_smoothstep(-0.02f, -0.07f, distance_to_hand(p));
+    return f_lerp(openness(p, normal), 0.9f, buried) * (0.84f + 0.16f * normal.y);
+}
+
+static void paint_finger(uint8_t *texel, const struct finger *finger, float u, float v)
+{
+    const struct finger_place place = finger_at(finger, u, v, 1.0f);
+    const float back = f_smoothstep(0.24f, 0.12f, place.turn);
+    const float bend = f_min(f_abs(place.joint - 1.0f), f_abs(place.joint - 2.0f));
+    /* Two creases at each joint, and the edge of the nail. */
+    const float crease = f_smoothstep(0.05f, 0.0f, f_abs(bend - 0.07f)) * back;
+    const float ahead = place.joint - 2.72f + 0.5f * place.capped;
+    const float far = f_sqrt(ahead * ahead * 7.0f + place.turn * place.turn * 36.0f);
+    const float nail = f_smoothstep(0.92f, 0.80f, far);
+    const float edge = f_smoothstep(0.16f, 0.02f, f_abs(far - 0.92f));
+    const float light =
+        light_on(place.point, place.normal) * (1.0f - 0.09f * crease - 0.20f * edge);
+    const float blush = f_max(f_smoothstep(0.34f, 0.05f, bend) * back,
+                              f_smoothstep(2.5f, 3.2f, place.joint + 0.4f * place.capped));
+    paint_skin(texel, light, 0.6f * blush, 0.8f * nail);
+}
+
+static void paint_palm(uint8_t *texel, float u, float v)
+{
+    const vec3 p = palm_at(u, v);
+    float knuckle = 1.0f;
+    for (uint32_t i = 1; i < FINGER_COUNT; i++) {
+        knuckle = f_min(knuckle, v3_length(v3_sub(p, fingers[i].joints[0])) - fingers[i].radii[0]);
+    }
+    paint_skin(texel, light_on(p, palm_normal(p)), 0.5f * f_smoothstep(0.25f, 0.0f, knuckle), 0.0f);
+}
+
+void hand_skin(uint8_t texels[HAND_SKIN_SIDE * HAND_SKIN_SIDE][3])
+{
+    for (uint32_t i = 0; i < HAND_SKIN_SIDE * HAND_SKIN_SIDE; i++) {
+        const uint32_t row = i / HAND_SKIN_SIDE, finger = row / FINGER_TEXELS;
+        const float v = (float)(i % HAND_SKIN_SIDE) / (float)(HAND_SKIN_SIDE - 1u);
+        if (finger < FINGER_COUNT) {
+            const float u = (float)(row % FINGER_TEXELS) / (float)(FINGER_TEXELS - 1u);
+            paint_finger(texels[i], &fingers[finger], u, v);
+        } else {
+            const uint32_t first = FINGER_COUNT * FINGER_TEXELS;
+            paint_palm(texels[i], (float)(row - first) / (float)(PALM_TEXELS - 1u), v);
         }
-        vertex->u *= openness(vertex->position, vertex->normal);
-        vertex->v = -1.0f; /* A negative value means skin. */
     }
 }

@@ -1,4 +1,5 @@
-/* hand_mesh.h -- the mesh of a right hand that holds a poi, and of the sleeve of a yukata.
+/* hand_mesh.h -- the mesh of a right hand that holds a poi, and of the sleeve of a yukata. Also the
+ * picture of the skin, with the shadows between the fingers, the creases and the nails.
  *
  * The mesh has the axes of the handle. Its unit is the inner radius of the ring. The handle extends
  * along z. */
@@ -13,5 +14,15 @@
 #define HAND_CUFF_Z 6.3f
 #define HAND_SLEEVE_END_Z 12.3f
 
-/* Appends the mesh of the hand and of the sleeve to `shape`. Takes 5 ms on a desktop. */
+/* Side in texels of the picture of the skin. */
+#define HAND_SKIN_SIDE 128u
+/* Surface coordinate `v` of the vertices of the hem, which has no pattern. */
+#define HAND_HEM 9.0f
+
+/* Appends the mesh of the hand and of the sleeve to `shape`. On skin, the surface coordinates (u,
+ * v) are the place in the picture of the skin, where v is lower by 1 and thus negative. On the
+ * sleeve, u is the fraction of the light from all sides that arrives, and v is the distance around
+ * the sleeve or HAND_HEM. */
 void hand_mesh(struct shape *shape);
+/* Draws the picture of the skin. */
+void hand_skin(uint8_t texels[HAND_SKIN_SIDE * HAND_SKIN_SIDE][3]);

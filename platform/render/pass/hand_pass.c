@@ -1,6 +1,8 @@
 /* hand_pass.c -- places and draws the hands; see hand_pass.h. */
 #include "platform/render/pass/hand_pass.h"
 
+#include <string.h>
+
 #include "core/base/panic.h"
 #include "platform/render/gl_util.h"
 #include "platform/render/pass/hand_mesh.h"
@@ -11,7 +13,6 @@
 #define HAND_FRONT_Z 2.4f
 #define ARM_HALF_WIDTH 1.3f
 #define ARM_PARTS 6u
-#define CLOTH_SIDE 64u /* Side in texels of the pattern of the cloth. */
 /* Height in m of the player's shoulder above the water, and its distance from the tank. */
 #define SHOULDER_M 0.36f
 #define SHOULDER_AWAY_M 0.36f
@@ -19,6 +20,21 @@
 #define RISE_MAX 0.72f
 /* Height in m above the water at which the sleeve begins, if the forearm can rise so steeply. */
 #define CUFF_CLEAR_M 0.03f
+
+/* Height in m above the rim of the tank to which a hand is drawn nearer. */
+#define RIM_CLEAR_M 0.004f
+/* Depth in normalized device coordinates per inverse metre (frame_view_projection()). */
+#define DEPTH_PER_INVERSE_M 0.1007f
+/* Greatest difference of the depth, for a camera that is hardly above the rim. */
+#define NEARER_MAX 0.3f
+
+/* Returns the point of the world to which a column-major matrix moves a point. */
+static vec3 moved_by(const float m[16], vec3 p)
+{
+    return v3(m[0] * p.x + m[4] * p.y + m[8] * p.z + m[12],
+              m[1] * p.x + m[5] * p.y + m[9] * p.z + m[13],
+              m[2] * p.x + m[6] * p.y + m[10] * p.z + m[14]);
+}
 
 /* Returns axes whose `back` is `back` and whose `up` is as near to `up` as possible. */
 static struct basis axes_along(vec3 back, vec3 up)
@@ -90,10 +106,7 @@ static bool may_cover(const struct scene *scene, const struct hand_frames *frame
         const float z = HAND_FRONT_Z + (HAND_SLEEVE_END_Z - HAND_FRONT_Z) * frames->stretch *
                                            (float)i / (float)ARM_PARTS;
         const float *const m = frames->matrices[z < HAND_WRIST_Z ? 0 : 2];
-        const vec3 p =
-            v3(m[0] * HAND_WRIST_X + m[8] * z + m[12], m[1] * HAND_WRIST_X + m[9] * z + m[13],
-               m[2] * HAND_WRIST_X + m[10] * z + m[14]);
-        const vec3 at = view_project(&scene->view, p);
+        const vec3 at = view_project(&scene->view, moved_by(m, v3(HAND_WRIST_X, 0.0f, z)));
         const vec3 from = i > 0 ? last : at;
         const vec3 along = v3(at.x - from.x, at.y - from.y, 0.0f);
         const vec3 there = v3(paper.x - from.x, paper.y - from.y, 0.0f);
@@ -111,26 +124,57 @@ static bool may_cover(const struct scene *scene, const struct hand_frames *frame
     return false;
 }
 
-/* Draws the pattern of the cloth, a tile with flowers of five petals at its middle and corners. */
-static GLuint open_cloth(struct gl_status *status)
+/* Returns the difference of the depth that draws a hand above the rim of the tank. The difference
+ * is the same for the whole hand, so that the parts of the hand hide each other as at its place. */
+static float nearer_than_rim(const struct scene *scene, const struct hand_frames *frames)
 {
-    uint8_t texels[CLOTH_SIDE * CLOTH_SIDE];
-    for (uint32_t i = 0; i < CLOTH_SIDE * CLOTH_SIDE; i++) {
-        const float x = ((float)(i % CLOTH_SIDE) + 0.5f) / (float)CLOTH_SIDE - 0.5f;
-        const float y = ((float)(i / CLOTH_SIDE) + 0.5f) / (float)CLOTH_SIDE - 0.5f;
+    static const struct {
+        uint32_t frame;
+        vec3 point;
+    } low[] = { { 0, { 0.3f, -0.6f, 2.8f } },
+                { 0, { 0.3f, -0.3f, 4.6f } },
+                { 2, { HAND_WRIST_X, -1.2f, HAND_CUFF_Z - 0.4f } },
+                { 2, { HAND_WRIST_X, -0.8f, HAND_CUFF_Z + 2.0f } } };
+    const float top_m = scene->wall_height_m - scene->tank_size_m.y + RIM_CLEAR_M;
+    const float above_m = f_max(scene->view.eye_m.y - top_m, RIM_CLEAR_M);
+    float nearer = 0.0f;
+    for (uint32_t i = 0; i < sizeof low / sizeof *low; i++) {
+        const vec3 at_m = moved_by(frames->matrices[low[i].frame], low[i].point);
+        /* The ray from the camera to the point crosses the plane above the rim. */
+        const float inverse = view_project(&scene->view, at_m).z;
+        nearer = f_max(nearer, inverse * (top_m - at_m.y) / above_m);
+    }
+    return f_min(DEPTH_PER_INVERSE_M * nearer, NEARER_MAX);
+}
+
+/* Draws the pattern of the cloth, a tile with flowers of five petals at its middle and corners. */
+static void draw_cloth(uint8_t texels[HAND_SKIN_SIDE * HAND_SKIN_SIDE][3])
+{
+    for (uint32_t i = 0; i < HAND_SKIN_SIDE * HAND_SKIN_SIDE; i++) {
+        const float x = ((float)(i % HAND_SKIN_SIDE) + 0.5f) / (float)HAND_SKIN_SIDE - 0.5f;
+        const float y = ((float)(i / HAND_SKIN_SIDE) + 0.5f) / (float)HAND_SKIN_SIDE - 0.5f;
         const bool is_middle = f_abs(x) + f_abs(y) < 0.5f;
         const float right = is_middle ? x : x - (x < 0.0f ? -0.5f : 0.5f);
         const float up = is_middle ? y : y - (y < 0.0f ? -0.5f : 0.5f);
         const float r = f_sqrt(right * right + up * up);
         const float petal = 0.17f + 0.065f * f_cos(5.0f * f_atan2(right, up));
-        const float shown = f_min((petal - r) * 16.0f, (r - 0.045f) * 22.0f) + 0.5f;
-        texels[i] = (uint8_t)(255.0f * f_clamp(shown, 0.0f, 1.0f));
+        const float shown = f_min((petal - r) * 32.0f, (r - 0.045f) * 44.0f) + 0.5f;
+        memset(texels[i], (int)(255.0f * f_clamp(shown, 0.0f, 1.0f)), sizeof texels[i]);
     }
-    return gl_texture(status, "cloth",
-                      &(struct gl_texture_desc){ .internal_format = GL_R8,
-                                                 .width = CLOTH_SIDE,
-                                                 .height = CLOTH_SIDE,
-                                                 .pixels = texels,
+}
+
+/* Draws the two layers of the texture: the pattern of the cloth, and the skin. */
+static GLuint open_surfaces(struct gl_status *status)
+{
+    uint8_t layers[2][HAND_SKIN_SIDE * HAND_SKIN_SIDE][3];
+    draw_cloth(layers[0]);
+    hand_skin(layers[1]);
+    return gl_texture(status, "hand",
+                      &(struct gl_texture_desc){ .internal_format = GL_RGB8,
+                                                 .width = HAND_SKIN_SIDE,
+                                                 .height = HAND_SKIN_SIDE,
+                                                 .layers = 2,
+                                                 .pixels = layers[0][0],
                                                  .mipmaps = true,
                                                  .wrap = GL_REPEAT });
 }
@@ -142,12 +186,13 @@ void hand_pass_open(struct gl_status *status, struct hand_pass *pass)
     struct shape shape = { 0 };
     for (uint32_t i = 0; i < HAND_LAYERS; i++) {
         struct hand_program *const program = &pass->programs[i];
-        program->name =
-            gl_program(status, names[i], defines[i], shader_hand_vert, shader_hand_frag, "cloth");
+        program->name = gl_program(status, names[i], defines[i], shader_hand_vert, shader_hand_frag,
+                                   "surfaces");
         program->frames = glGetUniformLocation(program->name, "frames");
         program->paint = glGetUniformLocation(program->name, "paint");
+        program->nearer = glGetUniformLocation(program->name, "nearer");
     }
-    pass->cloth = open_cloth(status);
+    pass->surfaces = open_surfaces(status);
     hand_mesh(&shape);
     shape_upload(&shape, &pass->mesh);
 }
@@ -157,7 +202,7 @@ void hand_pass_close(struct hand_pass *pass)
     for (uint32_t i = 0; i < HAND_LAYERS; i++) {
         glDeleteProgram(pass->programs[i].name);
     }
-    glDeleteTextures(1, &pass->cloth);
+    glDeleteTextures(1, &pass->surfaces);
     shape_close(&pass->mesh);
 }
 
@@ -167,6 +212,7 @@ void hand_pass_prepare(struct hand_pass *pass, const struct scene *scene)
         struct hand_frames *const frames = &pass->frames[i];
         if (scene->poi[i].present) {
             hand_frames_of(frames, scene, &scene->poi[i]);
+            frames->nearer = nearer_than_rim(scene, frames);
             frames->covers_paper = false;
             for (uint32_t k = 0; k < POI_MAX; k++) {
                 frames->covers_paper |=
@@ -180,7 +226,7 @@ void hand_pass_draw(const struct hand_pass *pass, const struct scene *scene, enu
 {
     const struct hand_program *const program = &pass->programs[layer];
     glUseProgram(program->name);
-    gl_bind_texture(0, GL_TEXTURE_2D, pass->cloth);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, pass->surfaces);
     glEnable(GL_CULL_FACE);
     if (layer == HAND_OUTLINE) {
         glEnable(GL_BLEND);
@@ -192,6 +238,7 @@ void hand_pass_draw(const struct hand_pass *pass, const struct scene *scene, enu
             const float *const paint = poi_paint(scene->poi[i].owner);
             glUniformMatrix4fv(program->frames, HAND_FRAMES, GL_FALSE, frames->matrices[0]);
             glUniform4f(program->paint, paint[0], paint[1], paint[2], frames->stretch);
+            glUniform1f(program->nearer, frames->nearer);
             glFrontFace(scene->poi[i].left_hand ? GL_CW : GL_CCW);
             shape_draw(&pass->mesh);
         }

@@ -18,6 +18,9 @@ struct hand_frames {
     float matrices[HAND_FRAMES][16];
     bool covers_paper; /* True if the picture of the arm may overlap the paper of any poi. */
     float stretch; /* Factor for the length of the sleeve, which ends at the player's shoulder. */
+    /* Difference of the depth, in normalized device coordinates, by which the hand is drawn nearer
+     * than its place, so that the rim of the tank does not hide it. */
+    float nearer;
 };
 
 /* A hand is drawn in two layers. The inside is drawn before all other objects of the screen, so
@@ -31,13 +34,13 @@ enum hand_layer {
 
 struct hand_program {
     GLuint name;
-    GLint frames, paint;
+    GLint frames, paint, nearer;
 };
 
 struct hand_pass {
     struct hand_program programs[HAND_LAYERS]; /* Indexed by enum hand_layer. */
     struct shape_buffers mesh;
-    GLuint cloth;                       /* Texture with the pattern of the cloth. */
+    GLuint surfaces; /* Texture: layer 0 is the pattern of the cloth, and layer 1 the skin. */
     struct hand_frames frames[POI_MAX]; /* Frames of this picture. */
 };
 

@@ -63,6 +63,42 @@ static void test_the_thumb_lies_on_the_handle_and_fingers_wrap_it(void **state)
     assert_true(below < -0.5f && below > -0.9f);
 }
 
+/* The edge of a drawn hand is where the normals turn away from the camera. A normal that does not
+ * agree with its triangles would leave a hole with a ragged edge. */
+static void test_the_normals_of_the_skin_agree_with_its_triangles(void **state)
+{
+    (void)state;
+    shape.vertex_count = shape.index_count = 0;
+    hand_mesh(&shape);
+    for (uint32_t i = 0; i < shape.index_count; i += 3) {
+        const struct shape_vertex *corners[3];
+        for (uint32_t k = 0; k < 3u; k++) {
+            corners[k] = &shape.vertices[shape.indices[i + k]];
+        }
+        const vec3 face = v3_cross(v3_sub(corners[1]->position, corners[0]->position),
+                                   v3_sub(corners[2]->position, corners[0]->position));
+        const vec3 sum = v3_add(v3_add(corners[0]->normal, corners[1]->normal), corners[2]->normal);
+        if (corners[0]->v < 0.0f && v3_length(face) > 1e-6f) {
+            assert_true(v3_dot(face, sum) > 0.0f);
+        }
+    }
+}
+
+static void test_the_skin_is_dark_between_the_fingers_and_light_on_their_backs(void **state)
+{
+    (void)state;
+    static uint8_t skin[HAND_SKIN_SIDE * HAND_SKIN_SIDE][3];
+    uint32_t dark = 0, light = 0;
+    hand_skin(skin);
+    for (uint32_t i = 0; i < HAND_SKIN_SIDE * HAND_SKIN_SIDE; i++) {
+        assert_true(skin[i][0] >= skin[i][1] && skin[i][1] >= skin[i][2]);
+        dark += skin[i][0] < 100u;
+        light += skin[i][0] > 200u;
+    }
+    assert_in_range(100u * dark / (HAND_SKIN_SIDE * HAND_SKIN_SIDE), 3, 30);
+    assert_in_range(100u * light / (HAND_SKIN_SIDE * HAND_SKIN_SIDE), 40, 90);
+}
+
 /* Returns the point of the world to which a frame moves a point of the mesh. */
 static vec3 moved(const float frame[16], vec3 p)
 {
@@ -158,6 +194,45 @@ static void test_the_arm_ends_outside_the_tank(void **state)
     }
 }
 
+/* Returns the depth of a hand of the scene in normalized device coordinates at point `p` of the
+ * mesh, and writes the depth at which the ray of the same pixel crosses the top of the rim. */
+static float depth_of(const float frame[16], float nearer, vec3 p, float *rim)
+{
+    const vec3 at_m = moved(frame, p);
+    const float eye_m = scene.view.eye_m.y;
+    const float rim_m = scene.wall_height_m - scene.tank_size_m.y;
+    float seen[16];
+    const struct display_transform whole = { .width = (float)WIDTH, .height = (float)HEIGHT };
+    frame_view_projection(seen, &scene.view, &whole);
+    const vec3 on_rim = v3_lerp(scene.view.eye_m, at_m, (eye_m - rim_m) / (eye_m - at_m.y));
+    const vec3 points[2] = { at_m, on_rim };
+    float depths[2];
+    for (uint32_t i = 0; i < 2u; i++) {
+        const vec3 q = points[i];
+        const float z = seen[2] * q.x + seen[6] * q.y + seen[10] * q.z + seen[14];
+        depths[i] = z / (seen[3] * q.x + seen[7] * q.y + seen[11] * q.z + seen[15]);
+    }
+    *rim = depths[1];
+    return depths[0] - nearer;
+}
+
+static void test_a_low_hand_is_drawn_nearer_than_the_rim(void **state)
+{
+    (void)state;
+    core_scene(&core, &scene);
+    hold(v3(0.05f, -0.02f, 0.05f), (struct angles){ 0 }, 0.0f);
+    picture(pixels[0]);
+    const struct hand_frames *const frames = &display.renderer.hand.frames[0];
+    for (uint32_t i = 0; i < 4u; i++) {
+        const vec3 p = v3(0.3f, -0.5f, 2.7f + 0.6f * (float)i);
+        float rim;
+        assert_true(depth_of(frames->matrices[0], frames->nearer, p, &rim) < rim);
+    }
+    hold(v3(0.05f, 0.25f, 0.05f), (struct angles){ 0 }, 0.0f);
+    picture(pixels[0]);
+    assert_true(frames->nearer == 0.0f);
+}
+
 /* Counts the pixels of the poi's paper that differ between two pictures. */
 static uint32_t changed_paper(const struct scene_poi *poi)
 {
@@ -225,10 +300,13 @@ int main(void)
         cmocka_unit_test(test_the_mesh_has_about_400_triangles),
         cmocka_unit_test(test_the_mesh_leaves_the_ring_and_the_number_on_the_handle_free),
         cmocka_unit_test(test_the_thumb_lies_on_the_handle_and_fingers_wrap_it),
+        cmocka_unit_test(test_the_normals_of_the_skin_agree_with_its_triangles),
+        cmocka_unit_test(test_the_skin_is_dark_between_the_fingers_and_light_on_their_backs),
         WITH_DISPLAY(test_the_arm_of_a_person_comes_from_the_near_side),
         WITH_DISPLAY(test_a_left_hand_is_the_mirror_image_of_a_right_hand),
         WITH_DISPLAY(test_the_arm_of_a_bot_follows_the_handle),
         WITH_DISPLAY(test_the_arm_ends_outside_the_tank),
+        WITH_DISPLAY(test_a_low_hand_is_drawn_nearer_than_the_rim),
         WITH_DISPLAY(test_a_hand_is_drawn_but_hides_no_paper),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
