@@ -24,9 +24,11 @@ struct colour {
     float r, g, b;
 };
 
-/* Colours are premultiplied by the opacity. */
+/* Colours are premultiplied by the opacity. Painted texels are moved toward the column `foot` and
+ * the row STREET_ROW by the fraction `shrink` of their distance. */
 struct layer {
     float rgba[HEIGHT][WIDTH][4];
+    float foot, shrink;
 };
 
 struct point {
@@ -43,6 +45,8 @@ static struct colour times(struct colour colour, float factor)
 /* Covers a texel with a colour. `opacity` is in [0, 1]. The light of a lamp may exceed 1. */
 static void cover(struct layer *layer, int32_t x, int32_t y, struct colour colour, float opacity)
 {
+    x -= (int32_t)lroundf(((float)x - layer->foot) * layer->shrink);
+    y -= (int32_t)lroundf(((float)y - STREET_ROW) * layer->shrink);
     if (x < 0 || x >= (int32_t)WIDTH || y < 0 || y >= (int32_t)HEIGHT || opacity <= 0.0f) {
         return;
     }
@@ -201,7 +205,7 @@ static void paint_lamps(const struct hour *hour)
     }
 }
 
-/* A passer-by, whose upper body is above the picture. */
+/* A passer-by, before `shrink` of the layer. */
 struct walker {
     float x, hem, step; /* Column, row of the hem, and distance of the feet. */
     struct colour cloth, stripe;
@@ -216,7 +220,7 @@ static void paint_yukata(const struct walker *walker, const struct hour *hour, u
     const struct colour sash =
         seed % 2 == 0 ? lit(hour, 0.80f, 0.55f, 0.14f) : lit(hour, 0.50f, 0.07f, 0.09f);
     const struct colour skin = lit(hour, 0.85f, 0.52f, 0.36f);
-    const float x = walker->x, tall = walker->hem - 68.0f, hem = 15.0f + 0.4f * walker->step;
+    const float x = walker->x, tall = walker->hem - 48.0f, hem = 15.0f + 0.4f * walker->step;
     const struct sheet skirt = { x, walker->hem, 138.0f + tall, hem, 27.0f, 6.0f, a, b };
     const struct sheet body = { x, 138.0f + tall, 190.0f + tall, 26.0f, 19.0f, 6.0f, a, b };
     const struct sheet belt = { x, 130.0f + tall, 149.0f + tall, 26.5f, 26.0f, 1e3f, sash, sash };
@@ -267,15 +271,18 @@ static void paint_walker(const struct walker *walker, const struct hour *hour, u
 static void paint_walkers(const struct hour *hour)
 {
     static const struct walker walkers[] = {
-        { 38.0f, 72.0f, 13.0f, { 0.10f, 0.13f, 0.42f }, { 0.14f, 0.18f, 0.52f } },
-        { 226.0f, 66.0f, 16.0f, { 0.62f, 0.10f, 0.22f }, { 0.82f, 0.30f, 0.36f } },
-        { 296.0f, 62.0f, 11.0f, { 0.85f, 0.80f, 0.72f }, { 0.25f, 0.34f, 0.66f } },
-        { 672.0f, 68.0f, 17.0f, { 0.08f, 0.10f, 0.26f }, { 0.11f, 0.14f, 0.36f } },
-        { 736.0f, 74.0f, 12.0f, { 0.80f, 0.66f, 0.40f }, { 0.72f, 0.16f, 0.12f } },
-        { 812.0f, 66.0f, 15.0f, { 0.16f, 0.34f, 0.28f }, { 0.22f, 0.44f, 0.36f } },
-        { 990.0f, 68.0f, 14.0f, { 0.56f, 0.14f, 0.34f }, { 0.70f, 0.24f, 0.44f } },
+        { 38.0f, 50.0f, 11.0f, { 0.10f, 0.13f, 0.42f }, { 0.14f, 0.18f, 0.52f } },
+        { 226.0f, 46.0f, 12.0f, { 0.62f, 0.10f, 0.22f }, { 0.82f, 0.30f, 0.36f } },
+        { 296.0f, 44.0f, 9.0f, { 0.85f, 0.80f, 0.72f }, { 0.25f, 0.34f, 0.66f } },
+        { 672.0f, 47.0f, 12.0f, { 0.08f, 0.10f, 0.26f }, { 0.11f, 0.14f, 0.36f } },
+        { 736.0f, 52.0f, 10.0f, { 0.80f, 0.66f, 0.40f }, { 0.72f, 0.16f, 0.12f } },
+        { 812.0f, 45.0f, 12.0f, { 0.16f, 0.34f, 0.28f }, { 0.22f, 0.44f, 0.36f } },
+        { 990.0f, 48.0f, 11.0f, { 0.56f, 0.14f, 0.34f }, { 0.70f, 0.24f, 0.44f } },
     };
     for (uint32_t i = 0; i < sizeof walkers / sizeof *walkers; i++) {
+        people_layer.foot = walkers[i].x;
+        /* The panels of a portrait screen would cover the heads of taller people. */
+        people_layer.shrink = 0.25f - 0.05f * (float)(i % 3);
         paint_walker(&walkers[i], hour, 31 + i);
     }
 }

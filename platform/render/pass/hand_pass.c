@@ -43,14 +43,30 @@ static struct basis axes_along(vec3 back, vec3 up)
     return (struct basis){ .right = right, .up = v3_cross(back, right), .back = back };
 }
 
+static bool is_alone(const struct scene *scene)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        count += scene->poi[i].present;
+    }
+    return count < 2;
+}
+
 /* Returns the horizontal direction from a poi to the player. The handle of a bot points to the
- * bot's place. A person stands at the side of the tank that the camera shows at the bottom. */
+ * bot's place. A person stands at the side of the tank that the camera shows at the bottom. At the
+ * short side of the tank, the bowl is below the hand. The arm of a player who plays alone there
+ * comes from the middle, so that the arm does not hide the bowl. */
 static vec3 way_to_player(const struct scene *scene, const struct scene_poi *poi, vec3 back)
 {
-    const vec3 near = view_to_world(view_is_turned(&scene->view),
-                                    v3(poi->left_hand ? -0.25f : 0.25f, 0.0f, 1.0f));
+    const bool is_turned = view_is_turned(&scene->view);
+    const bool is_inward = is_turned && is_alone(scene);
+    const float aside = is_inward ? -0.6f : 0.25f;
+    const vec3 near = view_to_world(is_turned, v3(poi->left_hand ? -aside : aside, 0.0f, 1.0f));
     const vec3 flat = v3_normalize_or(v3_flat(back), near);
-    return v3_normalize_or(poi->handle_rad != 0.0f ? flat : v3_muladd(near, flat, 0.8f), near);
+    if (poi->handle_rad != 0.0f && !is_inward) {
+        return flat;
+    }
+    return v3_normalize_or(v3_muladd(near, flat, is_inward ? 0.5f : 0.8f), near);
 }
 
 /* Returns the distance in m along the horizontal direction `way` at which the player stands. */

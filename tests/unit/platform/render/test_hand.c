@@ -181,6 +181,32 @@ static void test_the_arm_of_a_bot_follows_the_handle(void **state)
     }
 }
 
+static void test_the_arm_of_a_single_player_at_the_short_side_leaves_the_bowl_free(void **state)
+{
+    (void)state;
+    const vec3 wrist = v3(0.22f, 0.14f, 5.0f), elbow = v3(0.22f, 0.14f, 8.0f);
+    core_scene(&core, &scene);
+    scene_use_turned(&scene);
+    const vec3 near = view_to_world(true, v3(0.0f, 0.0f, 1.0f));
+    const struct angles toward = { .yaw_rad = f_atan2(near.x, near.z) };
+    for (uint32_t i = 0; i < 4; i++) {
+        const float side = i & 1u ? -1.0f : 1.0f; /* Side of the bowl, to the player's right. */
+        const float handle_rad = i < 2 ? 0.0f : 0.1f;
+        struct scene_poi *const poi = hold(v3(0.0f, 0.0f, 0.0f), toward, handle_rad);
+        struct hand_frames alone, among;
+        poi->left_hand = side < 0.0f;
+        hand_frames_of(&alone, &scene, poi);
+        scene.poi[1].present = 1;
+        hand_frames_of(&among, &scene, poi);
+        const vec3 way = view_from_world(
+            true, v3_sub(moved(alone.matrices[1], elbow), moved(alone.matrices[1], wrist)));
+        const vec3 usual = view_from_world(
+            true, v3_sub(moved(among.matrices[1], elbow), moved(among.matrices[1], wrist)));
+        assert_true(way.z > 0.02f);
+        assert_true(side * way.x / v3_length(way) < side * usual.x / v3_length(usual) - 0.2f);
+    }
+}
+
 static void test_the_arm_ends_outside_the_tank(void **state)
 {
     (void)state;
@@ -305,6 +331,7 @@ int main(void)
         WITH_DISPLAY(test_the_arm_of_a_person_comes_from_the_near_side),
         WITH_DISPLAY(test_a_left_hand_is_the_mirror_image_of_a_right_hand),
         WITH_DISPLAY(test_the_arm_of_a_bot_follows_the_handle),
+        WITH_DISPLAY(test_the_arm_of_a_single_player_at_the_short_side_leaves_the_bowl_free),
         WITH_DISPLAY(test_the_arm_ends_outside_the_tank),
         WITH_DISPLAY(test_a_low_hand_is_drawn_nearer_than_the_rim),
         WITH_DISPLAY(test_a_hand_is_drawn_but_hides_no_paper),
