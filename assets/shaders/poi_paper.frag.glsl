@@ -1,7 +1,7 @@
 // The paper of a poi. PRACTICE draws the practice mode, in which the paper's colour shows its
 // stress. POOL draws the paper of a poi that carries a pool of water.
-in vec2 at;
-in vec4 light;                  // As in poi_paper.vert.glsl.
+in vec3 at;                     // As in poi_paper.vert.glsl.
+in vec4 light;
 in vec4 water;
 in vec4 gleam;
 uniform vec4 paper;             // z: 1 in the picture of the objects below the water, otherwise 0. w: danger
@@ -37,11 +37,11 @@ float fifth_powers(float x)     // Returns x to the 32nd power, the reflection o
 
 void main()
 {
-    vec4 cell = texture(sheet, vec3(at, paper.y));
-    float fibre = texture(fibres, at * 2.3).r;
-    float frayed = texture(fibres, at * 4.1 + 0.3).r - 0.5;
+    vec4 cell = texture(sheet, vec3(at.xy, paper.y));
+    float fibre = texture(fibres, at.xy * 2.3).r;
+    float frayed = texture(fibres, at.xy * 4.1 + 0.3).r - 0.5;
     float solid = cell.b + (fibre - 0.5 + frayed) * 0.16;
-    if (solid < 0.5 || light.w * paper.z > 0.0015) { // Only the paper below the water surface
+    if (solid < 0.5 || light.w * paper.z > 0.0002 + 0.0013 * at.z) { // Only the paper below the water surface
                                                      // belongs to the picture below the surface.
         discard;
     }
@@ -64,7 +64,7 @@ void main()
     float alpha = mix(0.95, 0.42 + 0.24 * fibre, wet) * (1.0 - (0.15 + 0.35 * thin) * worn * wet - 0.30 * danger);
 #ifdef PRACTICE
     tint *= heat(cell.a * step(0.99, cell.b));
-    alpha = max(alpha, 0.60 + 0.20 * fibre);
+    alpha = max(alpha, 0.70 + 0.20 * fibre);
     float front = abs(cell.r - 0.4) / max(fwidth(cell.r), 0.004); // Distance from the border
                                                                   // between wet and dry paper.
     tint *= 0.60 + 0.40 * smoothstep(0.7, 1.7, front);
@@ -77,7 +77,7 @@ void main()
     alpha = mix(alpha, 0.92, max(flap, lip));
     tint = mix(tint, vec3(1.0, 0.99, 0.97), 0.75 * lip);
     // In air, wet paper is less transparent than in water.
-    alpha += (1.0 - paper.z) * alpha * (1.0 - alpha) * 0.9;
+    alpha += (1.0 - paper.z) * clamp(light.w * 60.0, 0.0, 0.9) * alpha * (1.0 - alpha);
     // Water on the paper consists of a film, which shines with the fibres, and a level pool. The
     // pool is darker where it is deeper and has a bright edge where it meets the paper.
     float above = step(0.0, light.w);
@@ -109,7 +109,7 @@ void main()
     tint += min(glints, 0.32) * above;
 #endif
     // The water climbs on the fibres where its surface meets the paper.
-    float line = max(1.0 - abs(light.w - 0.0022 * frayed) * 420.0, 0.0) * (0.15 + 0.55 * fibre);
+    float line = max(1.0 - abs(light.w - 0.004 * frayed) * 300.0, 0.0) * (0.15 + 0.55 * fibre) * at.z;
     color = vec4(mix(WATER_COLOR, tint, water.rgb) * alpha, alpha)
         + line * (1.0 - alpha * 0.5) * vec4(0.88, 0.96, 1.0, 1.0);
 }

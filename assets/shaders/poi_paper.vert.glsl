@@ -8,10 +8,10 @@ uniform vec4 rests[2];                  // Fish on this paper. xyz: centre. w: l
                                         // no fish.
 uniform vec3 spines[2];
 uniform sampler2DArray sheet;           // As in poi_sheet_cells().
-out vec2 at;
+out vec3 at;        // xy: place in `sheet`. z: strength of the water line, which level paper lacks.
 out vec4 light;     // x: brightness. y: shadow of the fish on the paper. z: cosine of the angle
-                    // between the normal and the direction halfway to the lamps. w: height above
-                    // the water surface in m.
+                    // between the normal and the direction halfway to the lamps. w: distance to the
+                    // water line along the paper in m, positive in air.
 out vec4 water;     // rgb: fraction of the light that passes through the water. a: depth of the pool.
 out vec4 gleam;     // xy: change of light.z for each unit of slope. z: the same for a level surface.
                     // w: brightness of the sky's reflection in the pool.
@@ -35,8 +35,8 @@ const float SAG_SHOWN = 2.2;            // The sag is drawn larger than computed
 void main()
 {
     float r2 = dot(position, position);
-    at = position * 0.5 + 0.5;
-    vec4 cell = textureLod(sheet, vec3(at, paper.y), 0.0);
+    at.xy = position * 0.5 + 0.5;
+    vec4 cell = textureLod(sheet, vec3(at.xy, paper.y), 0.0);
     float soft = cell.r * (1.0 - cell.g);
     float belly = 1.0 - r2;
     float extra = ((SAG_SHOWN - 1.0) * paper.x + 0.05 * soft) * belly;
@@ -50,7 +50,7 @@ void main()
     // Loaded paper is pulled into the middle, and wrinkles run from the ring toward the middle.
     float loaded = clamp(abs(paper.x) * 22.0, 0.0, 1.0) * (0.4 + 0.6 * cell.r);
     float around = atan(position.y, position.x);
-    float wrinkle = (sin(7.0 * around + 1.3) + 0.8 * sin(12.0 * around + 4.0)) * r2 * belly;
+    float wrinkle = (sin(9.0 * around + 3.0 * sin(around)) + 0.8 * sin(14.0 * around + 4.0)) * r2 * r2 * belly;
     vec2 slope = -2.0 * SAG_SHOWN * paper.x * position;
     vec3 view = normalize(eye.xyz - world);
     vec3 n = normalize(mat3(pose) * vec3(slope.x, 1.0, slope.y));
@@ -59,11 +59,13 @@ void main()
     float away = 1.0 - max(view.y, 0.0);
     light.x = 0.66 + 0.40 * max(dot(n, LAMP_DIRECTION), 0.0);
     // The lower middle is darker, and the side of the belly that faces the lamps is brighter.
-    light.x *= 1.0 + loaded * (0.34 * wrinkle - 0.26 * belly * belly - dot(position, vec2(0.17, 0.10)));
+    light.x *= 1.0 + loaded * (0.34 * wrinkle - 0.21 * belly * belly - dot(position, vec2(0.17, 0.10)));
     light.x *= 1.0 - 0.7 * shade_above(world);
     light.y = max(shade(world, rests[0], spines[0]), shade(world, rests[1], spines[1]));
     light.z = max(dot(n, middle), 0.0);
-    light.w = world.y;
+    float steep = length(n.xz);
+    light.w = world.y / max(steep, 0.1);
+    at.z = smoothstep(0.15, 0.35, steep);
     water = vec4(water_passes(-world.y * 1.2), pool.x - pooled);
     gleam = vec4(middle.xz, middle.y, 0.02 + 0.5 * away * away * away);
     gl_Position = view_projection * vec4(world, 1.0);

@@ -82,8 +82,9 @@
 #define SPRAY_WALL_M 0.03f
 /* Distance of the crest of a wave from its middle, as a share of the quad (spray.frag.glsl). */
 #define SPRAY_CREST 0.72f
-/* Height in m above or below the water, up to which a poi hides the rings of drops. */
-#define SPRAY_HIDES_M 0.07f
+/* Height in m above the water, up to which a poi hides the rings of drops. */
+#define SPRAY_HIDES_M 0.05f
+#define SPRAY_EYE_MIN_M 0.1f /* Lowest height of the camera above the water. */
 /* Distance in m from a splash in a bowl within which drops make rings. */
 #define SPRAY_BOWL_M 0.05f
 
@@ -225,16 +226,19 @@ static float next_chance(uint32_t *state)
     return (float)(*state >> 8) * (1.0f / 16777216.0f);
 }
 
-/* Returns true if a poi at the surface is at a point of the water. A ring of a drop on its paper
- * would make the paper look like water. */
+/* Returns true if the viewer sees a poi in the water, or close above it, at a point of the surface.
+ * A ring of a drop there would make the paper look like water. */
 static bool has_poi(const struct scene *scene, vec3 at)
 {
+    const vec3 sight =
+        v3_scale(v3_sub(at, scene->view.eye_m), 1.0f / f_max(scene->view.eye_m.y, SPRAY_EYE_MIN_M));
     bool has = false;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct scene_poi *const poi = &scene->poi[i];
-        const vec3 away = v3_flat(v3_sub(at, poi->position_m));
-        has |= poi->present && f_abs(poi->position_m.y) < SPRAY_HIDES_M &&
-               v3_length(away) < RING_REACH * poi->ring_radius_m + SPRAY_RING_M;
+        const vec3 seen = v3_muladd(at, sight, -poi->position_m.y);
+        has |= poi->present && poi->position_m.y < SPRAY_HIDES_M &&
+               v3_length(v3_flat(v3_sub(seen, poi->position_m))) <
+                   RING_REACH * poi->ring_radius_m + SPRAY_RING_M;
     }
     return has;
 }

@@ -197,7 +197,7 @@ static uint32_t drop_rings(void)
     return rings;
 }
 
-static void test_drops_make_no_ring_on_a_poi_at_the_surface(void **state)
+static void test_drops_make_no_ring_where_a_poi_is_seen_in_the_water(void **state)
 {
     (void)state;
     splash_at(0.45f, 0.0f);
@@ -206,6 +206,13 @@ static void test_drops_make_no_ring_on_a_poi_at_the_surface(void **state)
     shown.poi[1].position_m = v3(0.06f, 0.01f, 0.0f);
     const uint32_t left = drop_rings();
     assert_true(left < rings);
+    /* A poi at a depth of 4 cm is seen through a place of the surface that is nearer to the camera. */
+    shown.view.eye_m = v3(0.06f, 0.5f, 0.5f);
+    shown.poi[1].position_m.y = -0.04f;
+    const uint32_t behind = drop_rings();
+    shown.poi[1].position_m.z = -0.04f;
+    assert_true(behind < rings && drop_rings() != behind);
+    shown.poi[1].position_m.z = 0.0f;
     shown.poi[1].position_m.y = 0.1f; /* The poi is in the air, far above the rings. */
     assert_int_equal(drop_rings(), rings);
 }
@@ -287,7 +294,7 @@ int main(void)
         cmocka_unit_test(test_drops_rise_fall_and_make_rings),
         cmocka_unit_test(test_equal_scenes_have_equal_drops_and_never_more_than_the_pool),
         cmocka_unit_test(test_a_poi_makes_a_wave_that_grows_and_ends_at_a_wall),
-        cmocka_unit_test(test_drops_make_no_ring_on_a_poi_at_the_surface),
+        cmocka_unit_test(test_drops_make_no_ring_where_a_poi_is_seen_in_the_water),
         cmocka_unit_test(test_a_tilted_poi_splashes_at_its_lowest_part),
         cmocka_unit_test(test_torn_paper_loses_few_scraps_at_its_holes),
         cmocka_unit_test(test_a_scrap_falls_into_the_water_and_sinks_to_the_floor),
