@@ -8,7 +8,7 @@ uniform vec4 rests[2];                  // Fish on this paper. xyz: centre. w: l
                                         // no fish.
 uniform vec3 spines[2];
 uniform sampler2DArray sheet;           // As in poi_sheet_cells().
-out vec3 at;        // xy: place in `sheet`. z: strength of the water line, which level paper lacks.
+out vec3 at;        // xy: place in `sheet`. z: strength of the water line, which a level ring lacks.
 out vec4 light;     // x: brightness. y: shadow of the fish on the paper. z: cosine of the angle
                     // between the normal and the direction halfway to the lamps. w: distance to the
                     // water line along the paper in m, positive in air.
@@ -46,7 +46,8 @@ void main()
     // A flap hangs down. In water it hangs less, and moves.
     float hangs = cell.a * min((1.0 - cell.b) * 8.0, 1.0);
     float sways = world.y < 0.0 ? 0.5 + 0.2 * sin(eye.w * 3.0 + 9.0 * position.x) : 1.0;
-    world.y -= hangs * sways * FLAP_RADII * length(pose[0].xyz);
+    float radius_m = length(pose[0].xyz);
+    world.y -= hangs * sways * FLAP_RADII * radius_m;
     // Loaded paper is pulled into the middle, and wrinkles run from the ring toward the middle.
     float loaded = clamp(abs(paper.x) * 22.0, 0.0, 1.0) * (0.4 + 0.6 * cell.r);
     float around = atan(position.y, position.x);
@@ -63,9 +64,8 @@ void main()
     light.x *= 1.0 - 0.7 * shade_above(world);
     light.y = max(shade(world, rests[0], spines[0]), shade(world, rests[1], spines[1]));
     light.z = max(dot(n, middle), 0.0);
-    float steep = length(n.xz);
-    light.w = world.y / max(steep, 0.1);
-    at.z = smoothstep(0.15, 0.35, steep);
+    light.w = world.y / max(length(n.xz), 0.1);
+    at.z = clamp(length(pose[1].xz) / radius_m * 5.0 - 0.75, 0.0, 1.0);
     water = vec4(water_passes(-world.y * 1.2), pool.x - pooled);
     gleam = vec4(middle.xz, middle.y, 0.02 + 0.5 * away * away * away);
     gl_Position = view_projection * vec4(world, 1.0);

@@ -22,7 +22,7 @@ void main()
     float lamp = max(1.0 - 3.0 * length(corner.xy - vec2(-0.2, 0.35)), 0.0);
     vec4 drop = vec4(vec3(0.80, 0.96, 1.0) * (0.16 + 0.34 * rim + 1.9 * low) + lamp, 0.24 + 0.30 * rim + low);
     float x = (r - 0.72) * paper.x;
-    float crest = -x * max(1.0 - x * x, 0.0) * dot(corner.xy, vec2(0.447, 0.894)) * 1.6;
+    float crest = -x * max(1.0 - x * x, 0.0) * dot(corner.xy, vec2(0.447, 0.894)) * 1.25;
     float light = max(crest, 0.0);
     vec4 ring = vec4(vec3(0.95, 1.0, 1.0) * light, light * 0.6 + max(-crest, 0.0) * 0.6);
     color = (corner.z < 0.0 ? ring : drop) * inside;
