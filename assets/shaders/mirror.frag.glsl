@@ -29,13 +29,14 @@ void main()
     float fresnel = 0.02 + 0.98 * away2 * away2 * away;
     // The lanterns are only about two metres away, so that their reflections move with the position
     // on the water.
+    vec2 wave = sin(ripple);
     vec3 toward = mirror + vec3(place.x, 0.0, place.y) * 0.55;
+    toward.x += 0.013 * (wave.x - wave.y); // Small waves also lean to the side.
     vec2 seen = toward.xz / (length(toward) + toward.y);
     vec2 night = texture(environment, seen * 0.5 + 0.5).rb;
     // A lantern is far brighter than the maximum of a texel. Small waves, which the picture of the
     // slopes lacks, break the lantern's reflection into glints that lie across the view.
-    float waves = sin(ripple.x) + sin(ripple.y);
-    float core = max(night.x - 0.76 + 0.33 * waves, 0.0);
+    float core = max(night.x - 0.70 + 0.30 * (wave.x + wave.y), 0.0);
     float hot = core * core;
     float lit = 1.0 - texture(shades, shaded).r; // A fan also hides the lamps from the water.
     float lantern = 300.0 * hot * hot * (1.0 + 5.0 * fresnel) * water_tint.w * lit;
