@@ -203,7 +203,6 @@ static void show_fan(const struct shade *shade, uint32_t index, struct scene_fan
         .z_m = cast->z_m,
         .radius_m = cast->radius_m,
         .dark = cast->dark,
-        .still_s = shade->still_s,
     };
 }
 

@@ -203,8 +203,7 @@ struct scene_fan {
     uint8_t unseen;
     float x_m, z_m; /* Centre of the shadow on the water, vertically below the light. */
     float radius_m;
-    float dark;    /* Share of the light that the fan blocks, [0, 1]. */
-    float still_s; /* Seconds for which the fan has been held still. */
+    float dark; /* Share of the light that the fan blocks, [0, 1]. */
 };
 
 /* ---- Game ------------------------------------------------------------------------------------ */

@@ -1,10 +1,8 @@
 // A round fan (uchiwa): paper on split bamboo, with a painted goldfish over indigo ripples. The fan
 // is out of the camera's focus, so that every edge is slightly soft.
 //
-// The shader draws three pictures side by side, once while the program loads, because it has many
-// instructions: the opaque fan, the fan at opacity 0, and the weight of the player's colour in both
-// (r: opaque, g: at opacity 0). The colour of a fan is linear in its opacity and in the player's
-// colour, so that fan.frag.glsl can blend the pictures.
+// The shader draws two pictures side by side, once while the program loads, because it has many
+// instructions: the fan, and the weight of the player's colour (r).
 in vec2 at;
 uniform sampler2D fibres;
 out vec4 color;
@@ -85,7 +83,7 @@ float ripples(vec2 p, vec2 middle)
 
 // Returns the colour at `at` in fan radii. rgb: premultiplied. Writes the weight of the player's
 // colour to `trim`.
-vec4 fan(vec2 at, float opacity, out float trim)
+vec4 fan(vec2 at, out float trim)
 {
     float r = length(at);
     vec2 from_fork = at - FORK;
@@ -101,7 +99,7 @@ vec4 fan(vec2 at, float opacity, out float trim)
 
     float fibre = texture(fibres, at * 0.9).r;
     vec3 tint = WASHI * (0.98 + 0.09 * fibre);
-    tint = mix(tint, BAMBOO * 0.95, 0.16 * ribs);     // The ribs are visible through the paper.
+    tint = mix(tint, BAMBOO * 0.95, 0.30 * ribs);     // The ribs are visible through the paper.
     // A pale blue wash becomes stronger toward the bottom.
     tint = mix(tint, vec3(0.50, 0.78, 0.95), 0.62 * smoothstep(-0.55, 0.80, at.y + 0.12 * at.x));
     tint = mix(tint, INDIGO, 0.62 * ripples(at, vec2(-0.46, 0.36)));
@@ -130,23 +128,18 @@ vec4 fan(vec2 at, float opacity, out float trim)
     vec4 sum = vec4(rod, 1.0) * (ribs * open * 0.95);
     float shine = 0.90 + 0.12 * smoothstep(0.9, -0.6, at.x + at.y);  // The paper is brighter on the
                                                                      // side of the lamps.
-    float painted = max(0.7 * rim, 0.6 * max(small.a, large.a));
-    float alpha = paper * 0.95 * mix(opacity, 1.0, painted);
-    sum = vec4(tint * shine, 1.0) * alpha + sum * (1.0 - alpha);
+    sum = vec4(tint * shine, 1.0) * paper + sum * (1.0 - paper);
     float hold = max(twig, ink(stick));
     vec3 hard = mix(rod * 0.85, wood, ink(stick));
     sum = vec4(hard, 1.0) * hold + sum * (1.0 - hold);
-    trim = 0.92 * rim * shine * alpha * (1.0 - hold);
+    trim = 0.92 * rim * shine * paper * (1.0 - hold);
     return sum;
 }
 
 void main()
 {
-    float opaque;
-    float clear;
-    float picture = floor(at.x * 3.0);
-    vec2 place = mix(LOW, HIGH, vec2(at.x * 3.0 - picture, at.y));
-    vec4 solid = fan(place, 1.0, opaque);
-    vec4 glass = fan(place, 0.0, clear);
-    color = picture < 0.5 ? solid : picture < 1.5 ? glass : vec4(opaque, clear, 0.0, 0.0);
+    float trim;
+    float picture = floor(at.x * 2.0);
+    vec4 painted = fan(mix(LOW, HIGH, vec2(at.x * 2.0 - picture, at.y)), trim);
+    color = picture < 0.5 ? painted : vec4(trim, 0.0, 0.0, 0.0);
 }

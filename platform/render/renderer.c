@@ -126,6 +126,9 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
     hand_pass_draw(&renderer->hand, scene, HAND_OUTLINE);
     glDisable(GL_DEPTH_TEST);
     quad_pass_fans(&renderer->quad, scene);
+    glEnable(GL_DEPTH_TEST);
+    hand_pass_fans(&renderer->hand, scene);
+    glDisable(GL_DEPTH_TEST);
     step_done(renderer, STEP_ABOVE);
 }
 

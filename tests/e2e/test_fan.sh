@@ -15,10 +15,9 @@ paper_at() { # X Y: Prints 1 if that part of the screen is paper.
     import -silent -window root -crop "80x24+$1+$2" miff:- 2>/dev/null |
         convert miff:- -resize '1x1!' -format '%[fx:min(r,b)>0.72]' info:-
 }
-wait_for() { # Waits up to 10 s. The pointer moves slightly, because a fan at rest is transparent.
-    for i in $(seq 40); do
+wait_for() { # Waits up to 10 s.
+    for _ in $(seq 40); do
         [ "$(paper_at "$2" "$3")" = "$1" ] && return 0
-        xdotool mousemove_relative -- $((i % 2 ? 16 : -16)) 0
         sleep 0.25
     done
     return 1

@@ -6,6 +6,7 @@
 #include "core/base/panic.h"
 #include "platform/render/gl_util.h"
 #include "platform/render/pass/hand_mesh.h"
+#include "platform/render/pass/quad_pass.h"
 #include "shaders.h"
 
 /* Front end of the hand along the handle, half of the largest width of the arm, and number of
@@ -21,6 +22,10 @@
 /* Height in m above the water at which the sleeve begins, if the forearm can rise so steeply. */
 #define CUFF_CLEAR_M 0.03f
 
+/* Length of a unit of the mesh of a hand that holds a fan, and the place in the mesh at which the
+ * handle of the fan ends. */
+#define FAN_UNIT_M 0.042f
+#define FAN_END_Z 3.6f
 /* Height in m above the rim of the tank to which a hand is drawn nearer. */
 #define RIM_CLEAR_M 0.004f
 /* Depth in normalized device coordinates per inverse metre (frame_view_projection()). */
@@ -43,6 +48,16 @@ static struct basis axes_along(vec3 back, vec3 up)
     return (struct basis){ .right = right, .up = v3_cross(back, right), .back = back };
 }
 
+/* A handle that a hand holds. */
+struct grip {
+    vec3 position_m;    /* Place of the origin of the mesh. */
+    struct basis axes;  /* Axes of the handle, which extends along `back`. */
+    float unit_m;       /* Length of a unit of the mesh. */
+    bool left;          /* True for a left hand. */
+    bool leads_to_hand; /* True if the handle points to the player's place. */
+    bool is_of_fan;
+};
+
 static bool is_alone(const struct scene *scene)
 {
     uint32_t count = 0;
@@ -52,18 +67,18 @@ static bool is_alone(const struct scene *scene)
     return count < 2;
 }
 
-/* Returns the horizontal direction from a poi to the player. The handle of a bot points to the
+/* Returns the horizontal direction from a handle to the player. The handle of a bot points to the
  * bot's place. A person stands at the side of the tank that the camera shows at the bottom. At the
  * short side of the tank, the bowl is below the hand. The arm of a player who plays alone there
  * comes from the middle, so that the arm does not hide the bowl. */
-static vec3 way_to_player(const struct scene *scene, const struct scene_poi *poi, vec3 back)
+static vec3 way_to_player(const struct scene *scene, const struct grip *grip)
 {
     const bool is_turned = view_is_turned(&scene->view);
-    const bool is_inward = is_turned && is_alone(scene);
+    const bool is_inward = is_turned && is_alone(scene) && !grip->is_of_fan;
     const float aside = is_inward ? -0.6f : 0.25f;
-    const vec3 near = view_to_world(is_turned, v3(poi->left_hand ? -aside : aside, 0.0f, 1.0f));
-    const vec3 flat = v3_normalize_or(v3_flat(back), near);
-    if (poi->handle_rad != 0.0f && !is_inward) {
+    const vec3 near = view_to_world(is_turned, v3(grip->left ? -aside : aside, 0.0f, 1.0f));
+    const vec3 flat = v3_normalize_or(v3_flat(grip->axes.back), near);
+    if (grip->leads_to_hand && !is_inward) {
         return flat;
     }
     return v3_normalize_or(v3_muladd(near, flat, is_inward ? 0.5f : 0.8f), near);
@@ -79,17 +94,17 @@ static float distance_to_player(const struct scene *scene, vec3 from_m, vec3 way
     return f_max(f_min(by_x, by_z), 0.2f);
 }
 
-void hand_frames_of(struct hand_frames *out, const struct scene *scene, const struct scene_poi *poi)
+static void place_arm(struct hand_frames *out, const struct scene *scene, const struct grip *grip)
 {
-    const float unit_m = poi->ring_radius_m;
+    const float unit_m = grip->unit_m;
     CORE_ASSERT(unit_m > 0.0f);
     /* The mesh is a right hand. Its mirror image is a left hand. */
-    const float side = poi->left_hand ? -1.0f : 1.0f;
-    struct basis hand = scene_handle_axes(poi);
+    const float side = grip->left ? -1.0f : 1.0f;
+    struct basis hand = grip->axes;
     hand.right = v3_scale(hand.right, side);
     const vec3 wrist = v3(HAND_WRIST_X, HAND_WRIST_Y, HAND_WRIST_Z);
-    const vec3 wrist_m = v3_muladd(poi->position_m, vec_basis_to_world(&hand, wrist), unit_m);
-    const vec3 way = way_to_player(scene, poi, hand.back);
+    const vec3 wrist_m = v3_muladd(grip->position_m, vec_basis_to_world(&hand, wrist), unit_m);
+    const vec3 way = way_to_player(scene, grip);
     const float far_m = distance_to_player(scene, wrist_m, way);
     const float high_m = SHOULDER_M - wrist_m.y;
     const float needed = (CUFF_CLEAR_M - wrist_m.y) / ((HAND_CUFF_Z - HAND_WRIST_Z) * unit_m);
@@ -102,13 +117,40 @@ void hand_frames_of(struct hand_frames *out, const struct scene *scene, const st
     arm.right = v3_scale(arm.right, side);
     sleeve.right = v3_scale(sleeve.right, side);
     const vec3 back = v3_scale(wrist, 0.0f - unit_m);
-    poi_pose_of_axes(out->matrices[0], poi->position_m, &hand, unit_m);
+    poi_pose_of_axes(out->matrices[0], grip->position_m, &hand, unit_m);
     poi_pose_of_axes(out->matrices[1], v3_add(wrist_m, vec_basis_to_world(&arm, back)), &arm,
                      unit_m);
     poi_pose_of_axes(out->matrices[2], v3_add(wrist_m, vec_basis_to_world(&sleeve, back)), &sleeve,
                      unit_m);
     out->stretch = f_max(far_m / (level * unit_m) - (HAND_CUFF_Z - HAND_WRIST_Z), 2.0f) /
                    (HAND_SLEEVE_END_Z - HAND_CUFF_Z);
+    out->left = grip->left;
+}
+
+void hand_frames_of(struct hand_frames *out, const struct scene *scene, const struct scene_poi *poi)
+{
+    place_arm(out, scene,
+              &(struct grip){ .position_m = poi->position_m,
+                              .axes = scene_handle_axes(poi),
+                              .unit_m = poi->ring_radius_m,
+                              .left = poi->left_hand,
+                              .leads_to_hand = poi->handle_rad != 0.0f });
+}
+
+/* Computes the frames of the hand that holds a fan: the hand that does not hold the poi. */
+static void fan_frames_of(struct hand_frames *out, const struct scene *scene,
+                          const struct scene_fan *fan)
+{
+    const struct basis axes = vec_basis_from_angles(quad_fan_angles(scene, fan));
+    const vec3 at_m = v3(fan->x_m, QUAD_FAN_HEIGHT_M, fan->z_m);
+    const float back_m = QUAD_FAN_HANDLE * fan->radius_m - FAN_END_Z * FAN_UNIT_M;
+    place_arm(out, scene,
+              &(struct grip){ .position_m = v3_muladd(at_m, axes.back, back_m),
+                              .axes = axes,
+                              .unit_m = FAN_UNIT_M,
+                              .left = !scene->poi[fan->owner].left_hand,
+                              .is_of_fan = true });
+    out->nearer = 0.0f; /* The arm is above the rim of the tank. */
 }
 
 /* Returns true if the picture of an arm may overlap the paper of `poi`. */
@@ -236,31 +278,63 @@ void hand_pass_prepare(struct hand_pass *pass, const struct scene *scene)
             }
         }
     }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        if (scene->fan[i].present) {
+            fan_frames_of(&pass->fan_frames[i], scene, &scene->fan[i]);
+        }
+    }
 }
 
-void hand_pass_draw(const struct hand_pass *pass, const struct scene *scene, enum hand_layer layer)
+static void draw_hand(const struct hand_pass *pass, enum hand_layer layer,
+                      const struct hand_frames *frames, uint8_t owner)
 {
     const struct hand_program *const program = &pass->programs[layer];
-    glUseProgram(program->name);
+    const float *const paint = poi_paint(owner);
+    glUniformMatrix4fv(program->frames, HAND_FRAMES, GL_FALSE, frames->matrices[0]);
+    glUniform4f(program->paint, paint[0], paint[1], paint[2], frames->stretch);
+    glUniform1f(program->nearer, frames->nearer);
+    glFrontFace(frames->left ? GL_CW : GL_CCW);
+    shape_draw(&pass->mesh);
+}
+
+static void begin_hands(const struct hand_pass *pass, enum hand_layer layer)
+{
+    glUseProgram(pass->programs[layer].name);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, pass->surfaces);
     glEnable(GL_CULL_FACE);
     if (layer == HAND_OUTLINE) {
         glEnable(GL_BLEND);
         glDepthFunc(GL_LESS); /* Pixels of the layer HAND_INSIDE are not drawn again. */
     }
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        const struct hand_frames *const frames = &pass->frames[i];
-        if (scene->poi[i].present && (layer == HAND_OUTLINE || !frames->covers_paper)) {
-            const float *const paint = poi_paint(scene->poi[i].owner);
-            glUniformMatrix4fv(program->frames, HAND_FRAMES, GL_FALSE, frames->matrices[0]);
-            glUniform4f(program->paint, paint[0], paint[1], paint[2], frames->stretch);
-            glUniform1f(program->nearer, frames->nearer);
-            glFrontFace(scene->poi[i].left_hand ? GL_CW : GL_CCW);
-            shape_draw(&pass->mesh);
-        }
-    }
+}
+
+static void end_hands(void)
+{
     glFrontFace(GL_CCW);
     glDepthFunc(GL_LEQUAL);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
+}
+
+void hand_pass_draw(const struct hand_pass *pass, const struct scene *scene, enum hand_layer layer)
+{
+    begin_hands(pass, layer);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct hand_frames *const frames = &pass->frames[i];
+        if (scene->poi[i].present && (layer == HAND_OUTLINE || !frames->covers_paper)) {
+            draw_hand(pass, layer, frames, scene->poi[i].owner);
+        }
+    }
+    end_hands();
+}
+
+void hand_pass_fans(const struct hand_pass *pass, const struct scene *scene)
+{
+    begin_hands(pass, HAND_OUTLINE);
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        if (scene->fan[i].present && !scene->fan[i].unseen) {
+            draw_hand(pass, HAND_OUTLINE, &pass->fan_frames[i], scene->fan[i].owner);
+        }
+    }
+    end_hands();
 }

@@ -1,5 +1,5 @@
-/* hand_pass.h -- draws the hand that holds each poi, and the sleeve of a yukata in the player's
- * colour.
+/* hand_pass.h -- draws the hands that hold each poi and each fan, and the sleeves of a yukata in
+ * the player's colour.
  *
  * Three frames move the mesh of hand_mesh.h. The hand follows the handle, the forearm leads to the
  * player's shoulder, and the sleeve hangs from the forearm. No hand is drawn over the paper of any
@@ -21,6 +21,7 @@ struct hand_frames {
     /* Difference of the depth, in normalized device coordinates, by which the hand is drawn nearer
      * than its place, so that the rim of the tank does not hide it. */
     float nearer;
+    bool left; /* True for a left hand, which is the mirror image of the mesh. */
 };
 
 /* A hand is drawn in two layers. The inside is drawn before all other objects of the screen, so
@@ -42,6 +43,7 @@ struct hand_pass {
     struct shape_buffers mesh;
     GLuint surfaces; /* Texture: layer 0 is the pattern of the cloth, and layer 1 the skin. */
     struct hand_frames frames[POI_MAX]; /* Frames of this picture. */
+    struct hand_frames fan_frames[SHADE_MAX];
 };
 
 /* Computes the frames of the hand that holds a poi of the scene. */
@@ -51,10 +53,12 @@ void hand_frames_of(struct hand_frames *out, const struct scene *scene,
 void hand_pass_open(struct gl_status *status, struct hand_pass *pass);
 void hand_pass_close(struct hand_pass *pass);
 
-/* Computes the frames of the hands of all pois. */
+/* Computes the frames of the hands of all pois and fans. */
 void hand_pass_prepare(struct hand_pass *pass, const struct scene *scene);
 
 /* Draws one layer of the hands of all pois into a render target with a depth buffer. A hand hides
  * all objects that are lower than the rim of the tank. Before the layer HAND_OUTLINE, the depth of
  * poi_pass_cap() must be drawn. */
 void hand_pass_draw(const struct hand_pass *pass, const struct scene *scene, enum hand_layer layer);
+/* Draws the hands that hold fans. Must be called after the fans are drawn. */
+void hand_pass_fans(const struct hand_pass *pass, const struct scene *scene);

@@ -41,22 +41,15 @@
 /* Distance of the drops from the paper's centre, in paper radii. Drops fall from the outer edge of
  * the ring around the paper. */
 #define RING_REACH 1.17f
-/* Height in metres of the hand-held fan above the water. As seen by the player, a fan at this
- * height hides half of its own shadow on the water and little of the floor. */
-#define FAN_HEIGHT_M 0.15f
 /* Tilt of the hand-held fan. The far edge is lower, so that the player sees the picture on the
  * fan. */
 #define FAN_PITCH_RAD (-7.0f * F_DEG)
+/* Angle between the handle of the fan and the direction to the player. */
+#define FAN_YAW_RAD 0.18f
 /* Amplitude of the hand-held fan's sway in rad. The sway imitates a human hand, which is never
  * quite still. */
 #define SWAY_RAD (1.6f * F_DEG)
 #define SWAY_HZ 0.23f
-/* Transparency of a hand-held fan that has not been moved for SEEN_TO_S seconds. */
-#define SEEN_THROUGH 0.34f
-/* Time in seconds without motion after which a hand-held fan begins to become transparent. The
- * transparency increases until SEEN_TO_S. */
-#define SEEN_FROM_S 0.6f
-#define SEEN_TO_S 2.0f
 /* Size in texels of each picture of a fan, about one texel for each pixel of a fan on a screen of
  * 1080 lines. */
 #define FAN_FACE_WIDTH 320u
@@ -105,7 +98,7 @@ static void draw_fan_faces(struct gl_status *status, struct quad_pass *pass,
         gl_program(status, "fan face", "", shader_fill_vert, shader_fan_face_frag, "fibres");
     gl_target_open(status, "fan", &pass->fan_faces,
                    &(struct gl_target_desc){ .internal_format = GL_RGBA8,
-                                             .width = 3u * FAN_FACE_WIDTH,
+                                             .width = 2u * FAN_FACE_WIDTH,
                                              .height = FAN_FACE_HEIGHT });
     gl_target_bind(&pass->fan_faces);
     glUseProgram(program);
@@ -378,34 +371,36 @@ void quad_pass_spray(const struct quad_pass *pass, const struct scene *scene)
     draw_spray(pass, pass->spray_program, drops, quad_spray_of(scene, drops));
 }
 
-void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene)
+struct angles quad_fan_angles(const struct scene *scene, const struct scene_fan *fan)
 {
     const uint32_t period = (uint32_t)((float)CORE_TICK_HZ / SWAY_HZ);
+    const float sway = (float)(scene->tick % period) / (float)period * F_TAU + (float)fan->owner;
+    /* The handle points to the player's free hand. The player may stand at the short side of the
+     * tank. */
+    const float toward_rad = scene->poi[fan->owner].left_hand ? FAN_YAW_RAD : 0.0f - FAN_YAW_RAD;
+    return (struct angles){ .yaw_rad = toward_rad + SWAY_RAD * f_sin(sway) +
+                                       (view_is_turned(&scene->view) ? VIEW_TURN_RAD : 0.0f),
+                            .pitch_rad = FAN_PITCH_RAD,
+                            .roll_rad = SWAY_RAD * f_cos(sway) };
+}
+
+void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene)
+{
     glUseProgram(pass->fan_program);
     gl_bind_texture(0, GL_TEXTURE_2D, pass->fan_faces.texture);
     glBindVertexArray(pass->no_attributes);
     glEnable(GL_BLEND);
-    /* The handle of a fan points toward the player, who may stand at the short side of the tank. */
-    const float yaw_rad = 0.18f + (view_is_turned(&scene->view) ? VIEW_TURN_RAD : 0.0f);
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         const struct scene_fan *const fan = &scene->fan[i];
         float pose[16];
-        if (!fan->present || fan->unseen) {
-            continue;
+        if (fan->present && !fan->unseen) {
+            const float *const paint = poi_paint(fan->owner);
+            poi_pose(pose, v3(fan->x_m, QUAD_FAN_HEIGHT_M, fan->z_m), quad_fan_angles(scene, fan),
+                     fan->radius_m);
+            glUniformMatrix4fv(pass->fan_pose, 1, GL_FALSE, pose);
+            glUniform3f(pass->fan_trim, paint[0], paint[1], paint[2]);
+            glDrawArrays(GL_TRIANGLE_STRIP, 0, DISC_AND_HANDLE_VERTICES);
         }
-        const float phase = (float)(scene->tick % period) / (float)period;
-        const float sway = phase * F_TAU + (float)fan->owner;
-        const struct angles angles = { .yaw_rad = yaw_rad + SWAY_RAD * f_sin(sway),
-                                       .pitch_rad = FAN_PITCH_RAD,
-                                       .roll_rad = SWAY_RAD * f_cos(sway) };
-        poi_pose(pose, v3(fan->x_m, FAN_HEIGHT_M, fan->z_m), angles, fan->radius_m);
-        glUniformMatrix4fv(pass->fan_pose, 1, GL_FALSE, pose);
-        /* A hand-held fan that is not moved becomes partly transparent, so that its player sees the
-         * fish behind the fan. */
-        const float through = SEEN_THROUGH * f_smoothstep(SEEN_FROM_S, SEEN_TO_S, fan->still_s);
-        const float *const paint = poi_paint(fan->owner);
-        glUniform4f(pass->fan_trim, paint[0], paint[1], paint[2], 1.0f - through);
-        glDrawArrays(GL_TRIANGLE_STRIP, 0, DISC_AND_HANDLE_VERTICES);
     }
     glDisable(GL_BLEND);
 }

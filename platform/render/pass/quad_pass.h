@@ -57,6 +57,13 @@ uint32_t quad_scraps_of(const struct scene *scene, struct quad_drop out[SCENE_SC
 /* Draws the scraps of quad_scraps_of() into the render target of the objects below the water. */
 void quad_pass_scraps(const struct quad_pass *pass, const struct scene *scene);
 
+/* Height in metres of a hand-held fan above the water. As seen by the player, a fan at this height
+ * hides half of its own shadow on the water and little of the floor. */
+#define QUAD_FAN_HEIGHT_M 0.15f
+/* Distance from the middle of a fan to the end of its handle, in radii of the fan. */
+#define QUAD_FAN_HANDLE 2.16f
+/* Returns the angles of a hand-held fan, which sways. */
+struct angles quad_fan_angles(const struct scene *scene, const struct scene_fan *fan);
 /* Draws the hand-held fans over all other objects of the scene, with blending. The render target
  * needs no depth buffer. The shade map (light_pass.h) contains the fans' shadows. */
 void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene);

@@ -1,5 +1,5 @@
-/* test_hand.c -- Tests the mesh of the hand that holds a poi and its frames. Also tests that no
- * hand hides paper. */
+/* test_hand.c -- Tests the mesh of the hand that holds a poi and its frames, and the hand that
+ * holds a fan. Also tests that no hand hides paper. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -320,6 +320,31 @@ static void test_a_hand_is_drawn_but_hides_no_paper(void **state)
     assert_int_equal(changed_paper(&scene.poi[1]), 0);
 }
 
+static void test_the_free_hand_of_the_player_holds_the_fan(void **state)
+{
+    (void)state;
+    core_scene(&core, &scene);
+    struct scene_poi *const poi = hold(v3(0.3f, 0.1f, 0.2f), (struct angles){ 0 }, 0.0f);
+    struct scene_fan *const fan = &scene.fan[0];
+    *fan = (struct scene_fan){ .present = 1, .x_m = -0.05f, .z_m = -0.1f, .radius_m = 0.1f };
+    for (uint8_t left = 0; left < 2u; left++) {
+        poi->left_hand = left;
+        assert_true(compare_without_hands() > PIXELS_SIZE / 50u);
+        const struct hand_frames *const frames = &display.renderer.hand.fan_frames[0];
+        const vec3 back = vec_basis_from_angles(quad_fan_angles(&scene, fan)).back;
+        const vec3 centre = v3(fan->x_m, QUAD_FAN_HEIGHT_M, fan->z_m);
+        const vec3 end = v3_muladd(centre, back, QUAD_FAN_HANDLE * fan->radius_m);
+        /* The end of the handle is between the fingers and the palm. */
+        assert_true(v3_length(v3_sub(end, moved(frames->matrices[0], v3(0, 0, 3.6f)))) < 1e-4f);
+        assert_int_equal(frames->left, !left);
+        const vec3 sleeve =
+            moved(frames->matrices[2], v3(0.22f, 0.14f, 6.3f + 6.0f * frames->stretch));
+        assert_true(sleeve.z > 0.5f * scene.tank_size_m.z);
+        assert_int_equal(changed_paper(poi), 0);
+    }
+    fan->present = poi->left_hand = 0;
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -335,6 +360,7 @@ int main(void)
         WITH_DISPLAY(test_the_arm_ends_outside_the_tank),
         WITH_DISPLAY(test_a_low_hand_is_drawn_nearer_than_the_rim),
         WITH_DISPLAY(test_a_hand_is_drawn_but_hides_no_paper),
+        WITH_DISPLAY(test_the_free_hand_of_the_player_holds_the_fan),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

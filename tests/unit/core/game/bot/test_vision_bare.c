@@ -95,7 +95,7 @@ static const struct member bowl_parts[] = {
 
 static const struct member shade_parts[] = {
     MEMBER(shade, cast.present),  MEMBER(shade, cast.x_m),  MEMBER(shade, cast.z_m),
-    MEMBER(shade, cast.radius_m), MEMBER(shade, cast.dark), MEMBER(shade, still_s),
+    MEMBER(shade, cast.radius_m), MEMBER(shade, cast.dark),
 };
 
 static void keep(void *to, const void *from, const struct member *parts, size_t count)
@@ -197,8 +197,7 @@ static int bowls_and_fans_are_equal(void)
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         same = same && SAME_SCENE(fan[i].present) && SAME_SCENE(fan[i].x_m) &&
-               SAME_SCENE(fan[i].z_m) && SAME_SCENE(fan[i].radius_m) && SAME_SCENE(fan[i].dark) &&
-               SAME_SCENE(fan[i].still_s);
+               SAME_SCENE(fan[i].z_m) && SAME_SCENE(fan[i].radius_m) && SAME_SCENE(fan[i].dark);
     }
     return same;
 }
