@@ -41,7 +41,7 @@ void main()
     corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
     shown = clamp(streams ? low.w - id + float(LOOSE) : lip.w - id, 0.0, 1.0) * step(drop, falls);
     vec3 spread = vec3(chance(seed) - 0.5, 0.0, chance(seed + 0.5) - 0.5) * 0.014;
-    at += streams ? vec3(0.0) : spread;
+    at += spread * (streams ? 0.45 : 1.0);
     at.y -= 0.5 * GRAVITY * drop * drop;
     float swells = (0.55 + 0.6 * chance(seed + 0.2)) * (streams ? 1.0 : smoothstep(-0.25, 0.0, age));
     float long_ = 1.15 + min(GRAVITY * drop, 1.0) * 0.75; // A falling drop is stretched a little by

@@ -93,7 +93,7 @@ void main()
     vec2 ripple = vec2(0.10 * sin(at.y * 21.0 + eye.w * 3.0 + 4.0 * frayed),
                        0.08 * sin(at.x * 26.0 - eye.w * 2.3 + 3.0 * fibre));
     float mirror = pooled * fifth_powers(dot(gleam.xy, ripple) + gleam.z * (1.0 - 0.5 * dot(ripple, ripple)));
-    glints += 0.30 * mirror * mirror + 0.16 * pooled * (1.0 - smoothstep(0.0004, 0.0013, deep));
+    glints += 0.30 * mirror * mirror + 0.07 * pooled * (1.0 - smoothstep(0.0004, 0.0013, deep));
     tint *= mix(vec3(1.0), vec3(0.70, 0.90, 0.96), pooled * (1.0 - exp(-260.0 * deep)));
     tint += pooled * gleam.w * vec3(0.75, 0.90, 1.0);
     alpha = mix(alpha, max(alpha, 0.80), pooled * 0.6);
