@@ -118,6 +118,7 @@ FEATURE_LINES = {
     'flaps of torn paper from the distance to the edge of a hole, the wave and the drops of a poi at the surface': 116,
     'fingers of their own, a picture of the skin, and a sleeve that hangs open': 101,
     'an arm beside the bowl and heads below the panels on a portrait screen': 18,
+    'an outline that ends in the margin of a letter': 1,
     'a hand that holds the fan, whose face is opaque': 69,
 }
 

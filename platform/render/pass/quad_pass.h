@@ -44,8 +44,8 @@ void quad_pass_air(const struct quad_pass *pass, const struct scene *scene, bool
 void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene);
 
 /* Computes the drops of all splashes of the scene, the rings of the drops, and the waves of the
- * pois that enter or leave the water. No drop makes a ring where a poi is seen in the water. Returns
- * the number of entries of `out`. */
+ * pois that enter or leave the water. No drop makes a ring where a poi is seen in the water.
+ * Returns the number of entries of `out`. */
 uint32_t quad_spray_of(const struct scene *scene, struct quad_drop out[QUAD_SPRAY_MAX]);
 /* Draws the drops of quad_spray_of() into a render target with a depth buffer, with one draw call.
  * Must be called after the pois are drawn. */

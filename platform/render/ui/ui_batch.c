@@ -10,6 +10,7 @@
 /* Width in atlas pixels of the margin around each letter in the font atlas. This is also the
  * maximum width of an outline, because the distance field is constant outside the margin. */
 #define REACH_PX ((float)ASSET_FONT_EDGE / (float)ASSET_FONT_STEP)
+#define EDGE_PX 2.0f /* Width of the margin's outer part, which no outline covers completely. */
 
 void ui_batch_clear(struct ui_batch *batch)
 {
@@ -121,9 +122,10 @@ static void add_glyph(struct ui_batch *batch, struct ui_text style, float size_p
                       const struct font_glyph *glyph)
 {
     const float em = asset_fonts[style.font].em_px, texel_px = size_px / em;
-    const float weight = style.weight_em * em, outline = style.outline_em * em;
-    const float room = REACH_PX - weight - outline;
-    const float soft = f_clamp(style.soft_em * em, 0.0f, f_max(room, 0.0f));
+    /* A wider outline would fill the margin of the glyph, so that the letter would be in a box. */
+    const float weight = style.weight_em * em, room = REACH_PX - weight;
+    const float outline = f_clamp(style.outline_em * em, 0.0f, room - EDGE_PX);
+    const float soft = f_clamp(style.soft_em * em, 0.0f, room - outline);
     /* `trim` is the width, in atlas pixels, of the part of the letter's margin that stays unpainted
      * and that the quad therefore omits. `trim` is at least half a texel, because otherwise texture
      * filtering would read texels of the neighbouring letter. */

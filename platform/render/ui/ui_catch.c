@@ -174,7 +174,7 @@ void ui_near_misses(const struct ui_frame *frame)
         const struct ui_point poi = ui_project(frame, frame->scene->poi[i].position_m);
         struct ui_text style = ui_style(frame, is_brush ? FONT_BRUSH : FONT_STALL,
                                         is_brush ? 104.0f : 74.0f, 0.5f, 0xfff8eaffu, 0.0f);
-        style = ui_outlined(style, 0.05f, 0.10f, UI_WORD_SHADE);
+        style = ui_outlined(style, 0.03f, 0.1f, UI_WORD_SHADE);
         style.weight_em = 0.02f; /* The strokes stay readable over bright fish. */
         const float half = 0.5f * ui_text_width(style, words) + 12.0f * u;
         const float rise = MISS_OVER + MISS_RISE * f_smoothstep(0.0f, MISS_S, miss_s);

@@ -206,7 +206,8 @@ static void test_drops_make_no_ring_where_a_poi_is_seen_in_the_water(void **stat
     shown.poi[1].position_m = v3(0.06f, 0.01f, 0.0f);
     const uint32_t left = drop_rings();
     assert_true(left < rings);
-    /* A poi at a depth of 4 cm is seen through a place of the surface that is nearer to the camera. */
+    /* A poi at a depth of 4 cm is seen through a place of the surface that is nearer to the
+     * camera. */
     shown.view.eye_m = v3(0.06f, 0.5f, 0.5f);
     shown.poi[1].position_m.y = -0.04f;
     const uint32_t behind = drop_rings();

@@ -7,6 +7,7 @@
 
 #include <cmocka.h>
 
+#include "assets.h"
 #include "platform/render/ui/ui_batch.h"
 
 static struct ui_batch batch;
@@ -49,6 +50,10 @@ static void test_the_widest_letter_contains_no_texel_of_its_neighbour(void **sta
     ui_batch_clear(&batch);
     ui_text(&batch, widest, 0.0f, 300.0f, "8");
     assert_int_equal(batch.quad_count, 2); /* A letter with an outline has two quads. */
+    /* The outline ends before the margin of the glyph, so that the letter is not in a box. */
+    const float reach_px = (float)ASSET_FONT_EDGE / (float)ASSET_FONT_STEP;
+    assert_true(batch.vertices[0].shape[1] > 2.0f);
+    assert_true(batch.vertices[0].shape[0] + batch.vertices[0].shape[1] < reach_px);
     /* Texture filtering reads up to half a texel around a point, so each point must be half a texel
      * inside the glyph. */
     for (uint32_t i = 0; i < 4u; i++) {
