@@ -41,7 +41,7 @@ void main()
     float fibre = texture(fibres, at.xy * 2.3).r;
     float frayed = texture(fibres, at.xy * 4.1 + 0.3).r - 0.5;
     float solid = cell.b + (fibre - 0.5 + frayed) * 0.16;
-    if (solid < 0.5 || light.w * paper.z > 0.0002 + 0.0013 * at.z) { // Only the paper below the water surface
+    if (solid < 0.5 || light.w * paper.z > 0.0015 * at.z) { // Only the paper below the water surface
                                                      // belongs to the picture below the surface.
         discard;
     }
