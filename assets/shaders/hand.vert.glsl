@@ -30,7 +30,7 @@ void main()
     vec3 lamps = vec3(0.62, 0.53, 0.45) + 0.62 * lamp_light(world);
     lamps *= 1.0 - 0.4 * shade_above(world);
     float lamp = max(dot(n, LAMP_DIRECTION), 0.0);
-    vec3 lit = lamps * (is_skin ? 0.56 + 0.62 * lamp : (0.40 + 0.44 * lamp) * surface.x);
+    vec3 lit = lamps * (is_skin ? 0.80 + 0.38 * lamp : (0.40 + 0.44 * lamp) * surface.x);
     lit = 1.2 * lit / (1.0 + 0.3 * lit); // Bright light does not bleach the skin.
     vec3 dyed = paint.rgb * 0.62 + vec3(0.02, 0.01, 0.05);
     vec3 left = max(water_passes(-world.y * 2.0), 0.8); // The hand remains visible in deep water.

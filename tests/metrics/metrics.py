@@ -116,7 +116,7 @@ FEATURE_LINES = {
     'errors of a memory card by its host, bits of the supply that cannot be read, and the supply before the vents': 22,
     'refraction that joins the parts of a poi in water and air': 38,
     'flaps of torn paper from the distance to the edge of a hole, the wave and the drops of a poi at the surface': 116,
-    'fingers of their own, a picture of the skin, and a sleeve that hangs open': 101,
+    'fingers of their own, a picture of the skin, and a sleeve that hangs open': 106,
     'an arm beside the bowl and heads below the panels on a portrait screen': 18,
     'an outline that ends in the margin of a letter': 1,
     'a hand that holds the fan, whose face is opaque': 69,

@@ -159,7 +159,7 @@ static struct finger_place finger_at(const struct finger *finger, float u, float
 {
     /* Joints at which the rows of the grid lie. A bent joint has two rows. */
     static const float rows[FINGER_ROWS] = { 0.0f, 0.70f, 1.42f, 2.1f, 3.0f, 3.0f, 3.0f };
-    static const float caps[FINGER_ROWS] = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.58f, 1.0f };
+    static const float caps[FINGER_ROWS] = { 0.0f, 0.0f, 0.0f, 0.0f, 0.25f, 0.68f, 1.0f };
     const float row = f_clamp(v, 0.0f, 1.0f) * (float)(FINGER_ROWS - 1u);
     const uint32_t from = row < (float)(FINGER_ROWS - 1u) ? (uint32_t)row : FINGER_ROWS - 2u;
     const float t = f_lerp(rows[from], rows[from + 1u], row - (float)from);
@@ -325,7 +325,7 @@ static void paint_skin(uint8_t *texel, float light, float blush, float nail)
 static float light_on(vec3 p, vec3 normal)
 {
     const float buried = f_smoothstep(-0.02f, -0.07f, distance_to_hand(p));
-    return f_lerp(openness(p, normal), 0.9f, buried) * (0.84f + 0.16f * normal.y);
+    return f_lerp(openness(p, normal), 0.9f, buried) * (0.74f + 0.26f * normal.y);
 }
 
 static void paint_finger(uint8_t *texel, const struct finger *finger, float u, float v)
@@ -343,17 +343,24 @@ static void paint_finger(uint8_t *texel, const struct finger *finger, float u, f
         light_on(place.point, place.normal) * (1.0f - 0.09f * crease - 0.20f * edge);
     const float blush = f_max(f_smoothstep(0.34f, 0.05f, bend) * back,
                               f_smoothstep(2.5f, 3.2f, place.joint + 0.4f * place.capped));
-    paint_skin(texel, light, 0.6f * blush, 0.8f * nail);
+    paint_skin(texel, light, 0.4f * blush, 0.8f * nail);
 }
 
 static void paint_palm(uint8_t *texel, float u, float v)
 {
     const vec3 p = palm_at(u, v);
-    float knuckle = 1.0f;
-    for (uint32_t i = 1; i < FINGER_COUNT; i++) {
-        knuckle = f_min(knuckle, v3_length(v3_sub(p, fingers[i].joints[0])) - fingers[i].radii[0]);
+    /* Distances to the two nearest bones of the fingers. Between two bones lies a shallow groove.
+     * */
+    float nearest = 1e3f, second = 1e3f;
+    for (uint32_t i = 0; i + 1u < FINGER_COUNT; i++) {
+        const float distance = distance_to_bone(p, &palm[i]);
+        second = f_min(second, f_max(nearest, distance));
+        nearest = f_min(nearest, distance);
     }
-    paint_skin(texel, light_on(p, palm_normal(p)), 0.5f * f_smoothstep(0.25f, 0.0f, knuckle), 0.0f);
+    const float ahead = f_smoothstep(4.9f, 3.9f, p.z);
+    const float groove = f_smoothstep(0.09f, 0.0f, second - nearest) * ahead;
+    const float light = light_on(p, palm_normal(p)) * (1.0f - 0.22f * groove);
+    paint_skin(texel, light, 0.5f * f_smoothstep(4.05f, 3.75f, p.z), 0.0f);
 }
 
 void hand_skin(uint8_t texels[HAND_SKIN_SIDE * HAND_SKIN_SIDE][3])
