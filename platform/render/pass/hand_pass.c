@@ -75,7 +75,7 @@ static vec3 way_to_player(const struct scene *scene, const struct grip *grip)
 {
     const bool is_turned = view_is_turned(&scene->view);
     const bool is_inward = is_turned && is_alone(scene) && !grip->is_of_fan;
-    const float aside = is_inward ? -0.6f : 0.25f;
+    const float aside = is_inward ? -0.75f : 0.25f;
     const vec3 near = view_to_world(is_turned, v3(grip->left ? -aside : aside, 0.0f, 1.0f));
     const vec3 flat = v3_normalize_or(v3_flat(grip->axes.back), near);
     if (grip->leads_to_hand && !is_inward) {
