@@ -47,7 +47,8 @@ void main()
     tint *= 0.42 + 0.60 * (2.0 - facing) * facing;
 #ifdef GLOSS
     // The lamps make a line of gloss on wet skin, which the scales break.
-    float line = gleam + 0.22 * (scales - 0.75);
+    float line = gleam + 0.12 * (scales - 0.66);
+    line *= line;
     line *= line;
     line *= line;
     line *= line;

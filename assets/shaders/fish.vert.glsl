@@ -195,7 +195,7 @@ void main()
     vec2 shade_here = shades_at(world);
     float shade = world.y < 0.0 && !is_in_bowl ? shade_here.y : shade_here.x;
     light *= 1.0 - 0.85 * shade;
-    vec3 left = water_passes(is_in_bowl ? 0.0 : depth * 1.2);
+    vec3 left = water_passes(is_in_bowl ? 0.0 : depth * 1.25);
 #ifdef FIN
     float gloss = 0.0;
     // A fin that is seen on edge lets more light through, and is as bright as the back below it.
@@ -210,11 +210,11 @@ void main()
 #endif
     shine *= shine;
     // Wet skin in air has a narrow highlight. In water the highlight is wide and faint.
-    float wide = 0.20 * shine;
+    float wide = shine;
     shine *= shine;
-    float gloss = mix(wide, 0.80 * shine * shine, wet) * (1.0 - shade);
+    float gloss = 0.22 * mix(wide, shine * shine, wet) * (1.0 - shade);
 #ifdef GLOSS
-    gleam *= 0.86 + 0.17 * wet - 0.1 * shade;
+    gleam *= 0.93 + 0.12 * wet - 0.1 * shade;
     gloss *= 0.7; // The fragment shader adds the rest as a narrow line.
 #else
     // A highlight of a few pixels would sparkle, so that small fish have little gloss.

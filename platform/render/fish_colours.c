@@ -35,7 +35,7 @@ void fish_colours_red(float red[3], float hue)
     static const float deep[3] = { 0.82f, 0.10f, 0.05f };
     static const float vermilion[3] = { 1.0f, 0.23f, 0.07f };
     static const float orange[3] = { 1.0f, 0.44f, 0.10f };
-    static const float gold[3] = { 1.0f, 0.60f, 0.20f };
+    static const float gold[3] = { 1.0f, 0.55f, 0.17f };
     const float to_vermilion = f_smoothstep(0.0f, 0.36f, hue);
     const float to_orange = f_smoothstep(0.48f, 0.90f, hue);
     const float to_gold = f_smoothstep(0.86f, 1.0f, hue);
@@ -73,7 +73,7 @@ void fish_colours_compute(struct fish_colours *colours, float maturity, float hu
 void fish_colours_illuminate(struct fish_colours *colours, const float light[3])
 {
     const float brightest = f_max(light[0], f_max(light[1], light[2]));
-    const float knee = 1.45f / (1.0f + 0.75f * brightest);
+    const float knee = 1.75f / (1.0f + 0.95f * brightest);
     for (int i = 0; i < 3; i++) {
         const float here = light[i] * knee;
         colours->pale_back[i] *= here;

@@ -150,8 +150,8 @@ static void test_strong_light_is_attenuated_and_keeps_its_colour(void **state)
     struct fish_colours bright = dim;
     fish_colours_illuminate(&dim, (const float[3]){ 0.4f, 0.4f, 0.4f });
     fish_colours_illuminate(&bright, (const float[3]){ 2.0f, 1.5f, 1.0f });
-    assert_in_range((uint32_t)(dim.stain_back[0] * 1000.0f), 400u, 450u);
-    assert_in_range((uint32_t)(bright.stain_back[0] * 1000.0f), 1000u, 1250u);
+    assert_in_range((uint32_t)(dim.stain_back[0] * 1000.0f), 450u, 550u);
+    assert_in_range((uint32_t)(bright.stain_back[0] * 1000.0f), 1100u, 1400u);
     assert_float_equal(bright.stain_back[1], 0.75f * bright.stain_back[0], 1e-5f);
 }
 
