@@ -77,10 +77,8 @@ static const struct bone palm[] = {
 
 /* Factor for the radius of the vertices of a finger, whose five sides lie inside its circle. */
 #define FIVE_SIDES 1.16f
-/* End of the palm along z, and coordinates `v` of the grid at the knuckles and at the wrist. */
-#define PALM_END_Z 7.2f
+/* Coordinate `v` of the grid of the palm at the knuckles. */
 #define PALM_CAP (2.0f / 5.0f)
-#define PALM_BEND (4.0f / 5.0f)
 
 /* Rows of texels of the picture of the skin that show one finger, and the palm. Along a row lies
  * the direction from the knuckle to the tip. */
@@ -205,12 +203,15 @@ static struct shape_vertex finger_point(float u, float v, const void *context)
  * rows close the palm at the knuckles. */
 static vec3 palm_at(float u, float v)
 {
-    const vec3 knuckles = v3(0.34f, 0.27f, 4.0f),
-               wrist = v3(HAND_WRIST_X, HAND_WRIST_Y, HAND_WRIST_Z);
-    const vec3 end = v3(HAND_WRIST_X + 0.01f, HAND_WRIST_Y - 0.02f, PALM_END_Z);
-    const vec3 centre =
-        v < PALM_BEND ? v3_lerp(knuckles, wrist, f_max(v - PALM_CAP, 0.0f) / (PALM_BEND - PALM_CAP))
-                      : v3_lerp(wrist, end, (v - PALM_BEND) / (1.0f - PALM_BEND));
+    /* Places of the rows along z. The wrist, which bends, is between two rows. */
+    static const float rows[PALM_ROWS] = { 4.0f, 4.0f, 4.0f, 4.66f, 5.36f, 7.2f };
+    const vec3 knuckles = v3(0.34f, 0.27f, 4.0f);
+    const vec3 wrist = v3(HAND_WRIST_X, HAND_WRIST_Y, HAND_WRIST_Z);
+    const float row = f_clamp(v, 0.0f, 1.0f) * (float)(PALM_ROWS - 1u);
+    const uint32_t from = row < (float)(PALM_ROWS - 1u) ? (uint32_t)row : PALM_ROWS - 2u;
+    const float z = f_lerp(rows[from], rows[from + 1u], row - (float)from);
+    vec3 centre = v3_lerp(knuckles, wrist, f_min(z - knuckles.z, 1.0f));
+    centre.z = z;
     const float ahead = 0.5f * F_PI * f_max(PALM_CAP - v, 0.0f) / PALM_CAP;
     const float angle = u * F_TAU;
     const vec3 way =
