@@ -98,7 +98,10 @@ static float redness(uint32_t layer, float u, float v)
     const float height = (from_belly - design->belly) * 2.0f + 0.6f * edge;
     const float above =
         design->belly > 0.0f ? noise_ramp(-design->soft, design->soft, height) : 1.0f;
-    return noise_mix(design->base, 1.0f, patches) * above;
+    /* Red skin is slightly washed in places, so that it is not one flat colour. */
+    const float wash = noise_2d_sum(u * 9.0f, v * 8.0f, 64, 8, 90u + layer, 3);
+    const float washed = 1.0f - 0.30f * noise_ramp(0.48f, 0.85f, wash);
+    return noise_mix(design->base, 1.0f, patches) * above * washed;
 }
 
 /* Returns the brightness of a scale at a point of the skin. Each scale covers the head side of the
@@ -127,7 +130,9 @@ static float scale_light(uint32_t layer, float u, float v)
      * fraction of the girth. */
     const float flank = 0.25f - fabsf(v - 0.5f);
     const float gill = expf(-powf((u - GILL - 0.03f * (fabsf(flank) - 0.12f)) / 0.011f, 2.0f));
-    return noise_mix(0.72f, light, fade) - 0.26f * gill * noise_ramp(0.13f, 0.05f, fabsf(flank));
+    const float mottle = noise_2d_sum(u * 14.0f, v * 12.0f, 64, 12, 80u + layer, 3) - 0.5f;
+    return noise_mix(0.72f, light, fade) * (1.0f + 0.40f * mottle) -
+           0.26f * gill * noise_ramp(0.13f, 0.05f, fabsf(flank));
 }
 
 void bake_patterns(uint8_t *rg8)

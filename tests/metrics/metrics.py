@@ -111,7 +111,7 @@ FEATURE_LINES = {
     'a tear that grows and is heard in its full strength': 12,
     'rim and counter from a kept picture while the camera moves, on each orientation and width of a screen': 88,
     'passers-by with sandals, strips of water that a near camera hides, and soft streaks of lanterns': 57,
-    'hues of goldfish from deep red to gold, and strong light on fish that is attenuated': 21,
+    'hues of goldfish from deep red to gold, washed skin, and strong light on fish that is attenuated': 25,
     'colours of a caught fish on its way to the counter': 51,
     'errors of a memory card by its host, bits of the supply that cannot be read, and the supply before the vents': 22,
     'refraction that joins the parts of a poi in water and air': 38,

@@ -264,11 +264,11 @@ static void test_a_gill_cover_moves_while_the_fish_rests(void **state)
     print_message("a breath changes %u pixels at the gill covers, %u behind\n", at_gill, behind);
     assert_true(at_gill > 600u && behind == 0);
     /* The edge of an open cover casts a stronger shadow. Without the shadow, the motion of the
-     * pattern would darken the gill by only 0.049. */
-    const float from = still.top + 0.20f * length_px, to = still.top + 0.30f * length_px;
+     * pattern would make these rows brighter by 0.430. */
+    const float from = still.top + 0.18f * length_px, to = still.top + 0.22f * length_px;
     const float change = mean_light(pixels, 30, from, to) - mean_light(empty, 30, from, to);
     print_message("the shadow of the gill covers changes the mean light by %.3f\n", (double)change);
-    assert_true(change < -0.065f);
+    assert_true(change < -0.3f);
 }
 
 /* Height of the camera above the fish, in metres, at which a pixel is as wide as in the middle of
@@ -348,7 +348,7 @@ static void test_wet_skin_of_a_near_fish_has_a_narrow_gloss(void **state)
         const uint32_t width = gloss_width((uint32_t)(fish.top + along), &peak);
         print_message("the gloss on the back has a blue of %u and is %u pixels wide\n", peak,
                       width);
-        assert_true(peak > 100u && width > 0 && width <= 9u);
+        assert_true(peak > 90u && width > 0 && width <= 9u);
     }
 }
 
