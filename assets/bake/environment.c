@@ -45,7 +45,7 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
             const float d2 = dx * dx + dy * dy + dz * dz;
             /* Small waves, which the picture of the slopes lacks, draw a reflection out toward the
              * viewer into a streak. The shader breaks the streak into glints. */
-            const float streak = dx * dx * 1800.0f + (dy * dy + dz * dz) * 90.0f;
+            const float streak = dx * dx * 1000.0f + (dy * dy + dz * dz) * 90.0f;
             const struct colour light = noise_hash01(i, 7, row) < 0.35f ? red : paper;
             glow(at, light, 1.1f * expf(-streak));
             glow(at, light, 0.10f * expf(-d2 * 40.0f));

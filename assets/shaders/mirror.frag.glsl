@@ -29,18 +29,21 @@ void main()
     float fresnel = 0.02 + 0.98 * away2 * away2 * away;
     // The lanterns are only about two metres away, so that their reflections move with the position
     // on the water.
-    vec2 wave = sin(ripple);
+    // Small waves, which the picture of the slopes lacks. They bend one another and lean to the
+    // side.
+    vec2 wave = sin(ripple + 2.4 * sin(0.37 * ripple.yx) + 6.0 * slope);
     vec3 toward = mirror + vec3(place.x, 0.0, place.y) * 0.55;
-    toward.x += 0.013 * (wave.x - wave.y); // Small waves also lean to the side.
+    toward.x += 0.02 * sin(0.31 * ripple.x + wave.y);
     vec2 seen = toward.xz / (length(toward) + toward.y);
     vec2 night = texture(environment, seen * 0.5 + 0.5).rb;
-    // A lantern is far brighter than the maximum of a texel. Small waves, which the picture of the
-    // slopes lacks, break the lantern's reflection into glints that lie across the view.
-    float core = max(night.x - 0.70 + 0.30 * (wave.x + wave.y), 0.0);
-    float hot = core * core;
+    // A lantern is far brighter than the maximum of a texel. The small waves break its reflection
+    // into glints that lie across the view.
+    float ridge = max(0.5 + 0.28 * (wave.x + wave.y), 0.0);
+    float core = max(night.x - 0.32, 0.0);
     float lit = 1.0 - texture(shades, shaded).r; // A fan also hides the lamps from the water.
-    float lantern = 300.0 * hot * hot * (1.0 + 5.0 * fresnel) * water_tint.w * lit;
-    vec2 light = vec2(lantern, 0.22 * night.y * lantern)
+    float lantern = 22.0 * core * core * ridge * ridge * ridge;
+    lantern *= (1.0 + 5.0 * fresnel) * water_tint.w * lit;
+    vec2 light = vec2(lantern, 0.40 * night.y * lantern)
         + (night * fresnel + SHEEN * away2) * sky_glow.xy;
     // A soft knee for each colour: the middle of a bright reflection is nearly white, and its edge
     // is amber.

@@ -24,8 +24,8 @@ void main()
     place = from_world(world.xz);
     view = vec3(from_world(eye.xz) - place, eye.y).xzy;
     // The waves are as wide as a few texels of this picture at any distance of the camera.
-    vec2 near = place * (460.0 / (eye.y + 0.1));
-    ripple = vec2(dot(near, vec2(0.10, 1.0)), dot(near, vec2(-0.16, 0.57))) - eye.w * vec2(5.0, 3.7);
+    vec2 near = place * (260.0 / (eye.y + 0.1));
+    ripple = vec2(dot(near, vec2(0.30, 0.95)), dot(near, vec2(-0.25, 0.60))) - eye.w * vec2(5.0, 3.7);
 #else
     world = vec3(corner.x * tank.x, 0.0, corner.z * tank.z);
     // Corners inside the walls have the coordinates +-0.5.

@@ -143,7 +143,7 @@ static void test_reflections_of_lanterns_are_small_bright_and_warm(void **state)
     }
     print_message("reflections: brightest red %u with blue %u, warm pixels %u of %u\n", hottest,
                   blue, warm, count);
-    assert_true(warm > 0 && warm < count / 20u);
+    assert_true(warm > 0 && warm < count / 10u);
     assert_true(hottest > 200u && 20u * blue < 17u * hottest);
     display.renderer.frame.is_day = true;
     picture(pixels[0]);
