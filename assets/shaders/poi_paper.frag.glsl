@@ -40,8 +40,10 @@ void main()
     vec4 cell = texture(sheet, vec3(at.xy, paper.y));
     float fibre = texture(fibres, at.xy * 2.3).r;
     float frayed = texture(fibres, at.xy * 4.1 + 0.3).r - 0.5;
-    float solid = cell.b + (fibre - 0.5 + frayed) * 0.16;
-    if (solid < 0.5 || light.w * paper.z > 0.0015 * at.z) { // Only the paper below the water surface
+    float solid = cell.b + (fibre - 0.5 + 1.4 * frayed) * 0.20;
+    // The edge of a hole fades over one pixel.
+    float inside = (solid - 0.5) / max(fwidth(solid), 0.004);
+    if (inside < -0.5 || light.w * paper.z > 0.0015 * at.z) { // Only the paper below the water surface
                                                      // belongs to the picture below the surface.
         discard;
     }
@@ -50,9 +52,9 @@ void main()
     float wet = smoothstep(0.05, 0.75, cell.r + 0.45 * spread * (fibre - 0.5));
     float worn = 1.0 - cell.g;
     float thin = smoothstep(0.10, 0.85, worn);
-    // Torn paper has a bright edge of fibres. Its flaps are crumpled and opaque, with a dark fold
-    // where they begin.
-    float lip = 1.0 - smoothstep(0.5, 0.64, solid);
+    // Torn paper is thinner toward its edge, where single fibres stick out. Its flaps are crumpled,
+    // with a dark fold where they begin.
+    float lip = 1.0 - smoothstep(0.5, 0.68, solid);
     float flap = clamp((1.0 - cell.b + 0.06 * frayed) * 7.0, 0.0, 1.0);
     float fold = 4.0 * flap * (1.0 - flap);
     float grain = 0.84 + 0.26 * fibre;
@@ -71,11 +73,11 @@ void main()
 #endif
     tint *= 1.0 - (0.20 * thin + 0.07 * spread);
     tint *= 1.0 - danger * vec3(0.16, 0.22, 0.32);
-    tint = mix(tint, vec3(0.96, 0.95, 0.91) * grain, 0.8 * flap) * (1.0 - 0.20 * fold);
+    tint = mix(tint, vec3(0.90, 0.92, 0.91) * grain, 0.75 * flap) * (1.0 - 0.25 * fold);
     tint *= light.x * (1.0 - 0.55 * light.y);
     alpha += 0.30 * light.y * (1.0 - alpha);
-    alpha = mix(alpha, 0.92, max(flap, lip));
-    tint = mix(tint, vec3(1.0, 0.99, 0.97), 0.75 * lip);
+    alpha = mix(alpha, 0.60 + 0.6 * frayed, flap) * (1.0 - lip * (0.9 - 0.8 * fibre));
+    alpha *= clamp(inside + 0.5, 0.0, 1.0);
     // In air, wet paper is less transparent than in water.
     alpha += (1.0 - paper.z) * clamp(light.w * 60.0, 0.0, 0.9) * alpha * (1.0 - alpha);
     // Water on the paper consists of a film, which shines with the fibres, and a level pool. The

@@ -95,6 +95,7 @@ FEATURE_LINES = {
     'drops of splashes, and their rings on the water': 191,
     'weights of the colours of a fish at each vertex': 20,
     'flaps and scraps of torn paper': 103,
+    'holes of the paper that open from a slit': 31,
     'demekin and ryukin: double tails in species texts, and varieties that are only drawn': 48,
     'light of a summer night, in the shaders and on each fish, and daylight by a setting': 64,
     'the street behind the stall, by night and by day, and the wet wood around the tank': 380,

@@ -177,6 +177,7 @@ void poi_pass_open(struct gl_status *status, struct poi_pass *pass)
                                             .width = SHEET_SIDE,
                                             .height = SHEET_SIDE,
                                             .layers = POI_MAX });
+    memset(pass->ages, POI_OPEN_TICKS, sizeof pass->ages);
     struct shape shape = { 0 };
     shape_grid(&shape, RING_COLUMNS, RING_ROWS, ring_point, NULL);
     shape_grid(&shape, HANDLE_COLUMNS, HANDLE_ROWS, handle_point, NULL);
@@ -203,10 +204,12 @@ void poi_pass_close(struct poi_pass *pass)
 /* Distance in cells from the edge of a hole that the largest value in the texture stands for. */
 #define FLAP_CELLS_MAX 8.0f
 /* Shortest and longest length of the torn paper at the edge of a hole, in cells. */
-#define FLAP_CELLS_SHORT 1.0f
+#define FLAP_CELLS_SHORT 1.8f
 #define FLAP_CELLS_LONG 7.0f
 /* Distance from the ring's centre, in radii, from which a strip of torn paper stays on the ring. */
 #define FRINGE 0.96f
+/* Distance from the edge at which a new hole is open, as a share of the largest distance. */
+#define SLIT 0.8f
 /* Integrity of torn paper. */
 #define FLAP_INTEGRITY 215u
 
@@ -253,10 +256,13 @@ static void find_nearest_paper(uint16_t nearest[CELL_COUNT])
     }
 }
 
-/* Fills the holes in `cells` with flaps of torn paper. */
-static void add_flaps(const struct scene_poi *poi, uint8_t cells[CELL_COUNT][4])
+/* Fills the holes in `cells` with flaps of torn paper. While a hole opens (`ages`), its flaps reach
+ * almost to the place that is farthest from the edge, so that the hole is drawn as a slit there. */
+static void add_flaps(const struct scene_poi *poi, const uint8_t ages[CELL_COUNT],
+                      uint8_t cells[CELL_COUNT][4])
 {
     uint16_t nearest[CELL_COUNT];
+    float farthest = 0.0f;
     for (uint32_t cell = 0; cell < CELL_COUNT; cell++) {
         const float x = line_at(cell % SHEET_SIDE), z = line_at(cell / SHEET_SIDE);
         const bool is_paper = poi->integrity[cell] > 0 || x * x + z * z > FRINGE * FRINGE;
@@ -264,31 +270,51 @@ static void add_flaps(const struct scene_poi *poi, uint8_t cells[CELL_COUNT][4])
     }
     find_nearest_paper(nearest);
     for (uint32_t cell = 0; cell < CELL_COUNT; cell++) {
+        farthest = f_max(farthest, cell_distance(cell, nearest[cell]));
+    }
+    for (uint32_t cell = 0; cell < CELL_COUNT; cell++) {
         if (poi->integrity[cell] == 0) {
-            const float away = f_min(cell_distance(cell, nearest[cell]), FLAP_CELLS_MAX);
-            const float rest = 1.0f - 0.5f * away / flap_cells(nearest[cell]);
+            const float away = cell_distance(cell, nearest[cell]);
+            const float open = (float)ages[cell] / (float)POI_OPEN_TICKS;
+            const float flap = flap_cells(nearest[cell]);
+            const float reach = f_lerp(f_max(SLIT * farthest, flap), flap, open);
+            const float rest = 1.0f - 0.5f * away / reach;
             cells[cell][1] = FLAP_INTEGRITY;
             cells[cell][2] = (uint8_t)(255.0f * f_max(rest, 0.0f));
-            cells[cell][3] = (uint8_t)(away * (255.0f / FLAP_CELLS_MAX));
+            cells[cell][3] =
+                (uint8_t)(open * f_min(away, FLAP_CELLS_MAX) * (255.0f / FLAP_CELLS_MAX));
         }
     }
 }
 
-void poi_sheet_cells(const struct scene_poi *poi, uint8_t cells[CELL_COUNT][4])
+void poi_sheet_cells(const struct scene_poi *poi, const uint8_t ages[CELL_COUNT],
+                     uint8_t cells[CELL_COUNT][4])
 {
     for (uint32_t cell = 0; cell < CELL_COUNT; cell++) {
         cells[cell][0] = poi->wetness[cell];
         cells[cell][1] = poi->integrity[cell];
         cells[cell][2] = 255;
-        cells[cell][3] = poi->stress[cell];
+        cells[cell][3] = poi->shows_stress ? poi->stress[cell] : 0;
     }
     if (poi->paper_left < 1.0f) {
-        add_flaps(poi, cells);
+        add_flaps(poi, ages, cells);
+    }
+}
+
+void poi_sheet_age(const struct scene_poi *poi, uint32_t ticks, uint8_t ages[CELL_COUNT])
+{
+    for (uint32_t cell = 0; cell < CELL_COUNT; cell++) {
+        const uint32_t age = ages[cell] + (ticks < POI_OPEN_TICKS ? ticks : POI_OPEN_TICKS);
+        ages[cell] = poi->integrity[cell] > 0 ? 0
+                     : age < POI_OPEN_TICKS   ? (uint8_t)age
+                                              : (uint8_t)POI_OPEN_TICKS;
     }
 }
 
 void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene)
 {
+    const uint32_t ticks = scene->tick - pass->tick;
+    pass->tick = scene->tick;
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, gl_ring_turn(&pass->sheet_ring));
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -296,7 +322,8 @@ void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene)
         if (!poi->present) {
             continue;
         }
-        poi_sheet_cells(poi, pass->cells);
+        poi_sheet_age(poi, ticks, pass->ages[i]);
+        poi_sheet_cells(poi, pass->ages[i], pass->cells);
         glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, (GLint)i, SHEET_SIDE, SHEET_SIDE, 1, GL_RGBA,
                         GL_UNSIGNED_BYTE, pass->cells);
     }

@@ -10,6 +10,8 @@
 /* Maximum thickness in metres of the water film on the poi's paper. Further water collects in a
  * pool. */
 #define POI_FILM_M 0.0006f
+/* Time in ticks in which a hole of the paper opens in the picture, from a slit to its full size. */
+#define POI_OPEN_TICKS (CORE_TICK_HZ / 4u)
 /* Level in metres of the water pool of a poi without a pool. This level is far below all
  * objects. */
 #define POI_NO_POOL_M -1e3f
@@ -44,7 +46,9 @@ struct poi_pass {
     struct shape_buffers solid, disc;
     /* Ring buffer of array textures of the paper sheets, with one layer for each player. */
     struct gl_ring sheet_ring;
-    uint8_t cells[SHEET_SIDE * SHEET_SIDE][4]; /* Buffer of poi_sheet_cells(). */
+    uint8_t cells[SHEET_SIDE * SHEET_SIDE][4];      /* Buffer of poi_sheet_cells(). */
+    uint8_t ages[POI_MAX][SHEET_SIDE * SHEET_SIDE]; /* As in poi_sheet_age(). */
+    uint32_t tick; /* Tick of the scene at the latest call of poi_pass_prepare(). */
 };
 
 /* Writes the pose of a poi or of another object to `out` as a column-major matrix. `scale` (> 0) is
@@ -60,10 +64,16 @@ const float *poi_paint(uint8_t owner);
 void poi_pass_open(struct gl_status *status, struct poi_pass *pass);
 void poi_pass_close(struct poi_pass *pass);
 
+/* Adds `ticks` to the age of each hole cell of a poi's paper. The largest age is POI_OPEN_TICKS.
+ * The age of a cell with paper becomes 0. */
+void poi_sheet_age(const struct scene_poi *poi, uint32_t ticks,
+                   uint8_t ages[SHEET_SIDE * SHEET_SIDE]);
 /* Computes the texels of a poi's paper. The four values of each cell are the wetness, the
- * integrity, the presence and the stress. In a hole, the presence falls from 255 at the edge over
- * 128 at the end of a flap to 0, and the last value is the distance from the edge in 1/32 cells. */
-void poi_sheet_cells(const struct scene_poi *poi, uint8_t cells[SHEET_SIDE * SHEET_SIDE][4]);
+ * integrity, the presence and, in practice mode, the stress. In a hole, the presence falls from 255
+ * at the edge over 128 at the end of a flap to 0, and the last value is the distance from the edge
+ * in 1/32 cells. A hole opens with the ages of its cells (poi_sheet_age()). */
+void poi_sheet_cells(const struct scene_poi *poi, const uint8_t ages[SHEET_SIDE * SHEET_SIDE],
+                     uint8_t cells[SHEET_SIDE * SHEET_SIDE][4]);
 /* Uploads the cells of each poi's paper (poi_sheet_cells()) to the textures. */
 void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene);
 

@@ -138,6 +138,7 @@ static void test_refraction_vanishes_only_where_the_poi_crosses_the_surface(void
 }
 
 static uint8_t cells[SHEET_SIDE * SHEET_SIDE][4];
+static uint8_t ages[SHEET_SIDE * SHEET_SIDE];
 
 /* Returns a poi with whole, half wet paper. */
 static struct scene_poi whole_poi(void)
@@ -154,24 +155,76 @@ static void test_whole_paper_has_no_flap(void **state)
 {
     (void)state;
     const struct scene_poi poi = whole_poi();
-    poi_sheet_cells(&poi, cells);
+    poi_sheet_cells(&poi, ages, cells);
+    for (uint32_t i = 0; i < SHEET_SIDE * SHEET_SIDE; i++) {
+        assert_memory_equal(cells[i], ((const uint8_t[4]){ 128, 200, 255, 0 }), 4);
+    }
+}
+
+static void test_only_paper_that_shows_its_stress_has_stress_in_its_cells(void **state)
+{
+    (void)state;
+    struct scene_poi poi = whole_poi();
+    poi.shows_stress = 1;
+    poi_sheet_cells(&poi, ages, cells);
     for (uint32_t i = 0; i < SHEET_SIDE * SHEET_SIDE; i++) {
         assert_memory_equal(cells[i], ((const uint8_t[4]){ 128, 200, 255, 30 }), 4);
     }
 }
 
+/* Returns a poi with torn paper, whose columns 0 to 3 are whole. */
+static struct scene_poi torn_poi(void)
+{
+    struct scene_poi poi = whole_poi();
+    poi.paper_left = 0.3f;
+    for (uint32_t cell = 0; cell < SHEET_SIDE * SHEET_SIDE; cell++) {
+        poi.integrity[cell] = cell % SHEET_SIDE < 4u ? 200 : 0;
+    }
+    return poi;
+}
+
+/* Returns the number of cells of a poi's paper that are drawn as a hole. */
+static uint32_t open_cells(const struct scene_poi *poi)
+{
+    uint32_t count = 0;
+    poi_sheet_cells(poi, ages, cells);
+    for (uint32_t i = 0; i < SHEET_SIDE * SHEET_SIDE; i++) {
+        count += cells[i][2] < 128;
+    }
+    return count;
+}
+
+static void test_a_hole_opens_from_a_slit_in_a_quarter_of_a_second(void **state)
+{
+    (void)state;
+    const struct scene_poi whole = whole_poi(), torn = torn_poi();
+    uint32_t before = 0;
+    poi_sheet_age(&whole, 1000u, ages);
+    assert_int_equal(open_cells(&whole), 0);
+    for (uint32_t tick = 0; tick < POI_OPEN_TICKS; tick++) {
+        const uint32_t count = open_cells(&torn);
+        assert_true(count >= before);
+        before = count;
+        if (tick == 0) {
+            assert_true(count > 0 && count < 200u);
+        }
+        poi_sheet_age(&torn, 1u, ages);
+    }
+    const uint32_t full = open_cells(&torn);
+    assert_true(full > before && full > 400u);
+    /* A time that went backward, or a long pause, opens the hole completely. */
+    memset(ages, 0, sizeof ages);
+    poi_sheet_age(&torn, 0u - 7u, ages);
+    assert_int_equal(open_cells(&torn), full);
+}
+
 static void test_flaps_reach_into_a_hole_but_leave_it_open(void **state)
 {
     (void)state;
-    struct scene_poi poi = whole_poi();
+    const struct scene_poi poi = torn_poi();
     uint32_t holes = 0, covered = 0;
-    poi.paper_left = 0.3f;
-    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-        for (uint32_t column = 4; column < SHEET_SIDE; column++) {
-            poi.integrity[row * SHEET_SIDE + column] = 0;
-        }
-    }
-    poi_sheet_cells(&poi, cells);
+    memset(ages, POI_OPEN_TICKS, sizeof ages);
+    poi_sheet_cells(&poi, ages, cells);
     for (uint32_t row = 8; row < 24; row++) {
         assert_int_equal(cells[row * SHEET_SIDE + 3u][2], 255); /* Paper. */
         for (uint32_t column = 4; column < SHEET_SIDE; column++) {
@@ -201,6 +254,8 @@ int main(void)
         cmocka_unit_test(test_sagging_level_paper_holds_the_pool_in_the_middle),
         cmocka_unit_test(test_refraction_vanishes_only_where_the_poi_crosses_the_surface),
         cmocka_unit_test(test_whole_paper_has_no_flap),
+        cmocka_unit_test(test_only_paper_that_shows_its_stress_has_stress_in_its_cells),
+        cmocka_unit_test(test_a_hole_opens_from_a_slit_in_a_quarter_of_a_second),
         cmocka_unit_test(test_flaps_reach_into_a_hole_but_leave_it_open),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
