@@ -44,8 +44,8 @@ vec3 wet(vec3 dry, vec3 at)
     vec3 chance = fract(sin(dot(cell, vec2(12.9898, 78.233)) + vec3(0.0, 1.3, 2.9)) * 43758.5453);
     vec2 drop = at.xz / DROP_CELL_M - cell - mix(vec2(0.3), vec2(0.7), chance.xy);
     vec2 past = abs(at.xz) - abs(from_world(tank.xz));
-    float rare = mix(0.62, 0.97, smoothstep(0.0, 0.10, max(past.x, past.y)));
-    float radius = mix(0.07, 0.28, fract(37.0 * chance.z)) * step(rare, chance.z);
+    float rare = mix(0.74, 0.985, smoothstep(0.0, 0.10, max(past.x, past.y)));
+    float radius = mix(0.05, 0.20, fract(37.0 * chance.z)) * step(rare, chance.z);
     float r = length(drop) / max(radius, 0.001);
     float inside = 1.0 - smoothstep(0.85, 1.0, r);
     float point = 1.0 - smoothstep(0.1, 0.3, length(drop / max(radius, 0.001) - vec2(0.15, -0.45)));
@@ -53,7 +53,7 @@ vec3 wet(vec3 dry, vec3 at)
     float high = -0.7 * far * ray.y;
     vec3 lamps = street(vec2(at.x + far * ray.x, high) + tilt, 4.0 - 3.0 * inside);
     lamps *= lamps * (0.05 + 0.40 * film + 0.25 * inside) / (1.0 + 5.0 * high * high);
-    vec3 soaked = dry * (1.0 - 0.45 * film) * (1.0 + inside * clamp(2.5 * drop.y, -0.3, 0.5));
+    vec3 soaked = dry * (1.0 - 0.45 * film) * (1.0 + inside * clamp(3.0 * drop.y, -0.15, 0.6));
     return soaked + lamps + lamp_light(at).g * (0.45 * point * inside);
 }
 
