@@ -20,6 +20,6 @@ void main()
     float clings = max(1.0 - abs(r - 0.075) * 28.0, 0.0);
     float lean = (runs + 0.55 * clings * clings) * dot(from, vec2(0.447, -0.894)) / max(r, 1e-4);
     lean *= clamp((0.46 - r) * 8.0, 0.0, 1.0);
-    float light = max(lean, 0.0) * 1.5;
-    color = vec4(vec3(0.95, 1.0, 1.0) * light, light * 0.6 + max(-lean, 0.0) * 0.55);
+    float light = max(lean, 0.0) * 0.75;
+    color = vec4(vec3(0.85, 1.0, 0.97) * light, light * 0.5 + max(-lean, 0.0) * 0.55);
 }
