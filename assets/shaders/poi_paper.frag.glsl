@@ -74,8 +74,12 @@ void main()
     tint *= 1.0 - (0.20 * thin + 0.07 * spread);
     tint *= 1.0 - danger * vec3(0.16, 0.22, 0.32);
     tint = mix(tint, vec3(0.90, 0.92, 0.91) * grain, 0.75 * flap) * (1.0 - 0.25 * fold);
-    tint *= light.x * (1.0 - 0.55 * light.y);
-    alpha += 0.30 * light.y * (1.0 - alpha);
+    // A fish presses the paper wet around it, and its shadow touches it.
+    float pressed = smoothstep(0.0, 0.35, light.y + 0.12 * (fibre - 0.5) * light.y);
+    float touched = smoothstep(0.40, 0.75, light.y);
+    tint *= light.x * (1.0 - 0.22 * pressed - 0.50 * touched);
+    alpha *= 1.0 - 0.35 * pressed;
+    alpha += 0.55 * touched * (1.0 - alpha);
     alpha = mix(alpha, 0.60 + 0.6 * frayed, flap) * (1.0 - lip * (0.9 - 0.8 * fibre));
     alpha *= clamp(inside + 0.5, 0.0, 1.0);
     // In air, wet paper is less transparent than in water.

@@ -9,26 +9,35 @@ uniform vec4 rests[2];                  // Fish on this paper. xyz: centre. w: l
 uniform vec3 spines[2];
 uniform sampler2DArray sheet;           // As in poi_sheet_cells().
 out vec3 at;        // xy: place in `sheet`. z: strength of the water line, which a level ring lacks.
-out vec4 light;     // x: brightness. y: shadow of the fish on the paper. z: cosine of the angle
+out vec4 light;     // x: brightness. y: nearness of a fish on the paper. z: cosine of the angle
                     // between the normal and the direction halfway to the lamps. w: distance to the
                     // water line along the paper in m, positive in air.
 out vec4 water;     // rgb: fraction of the light that passes through the water. a: depth of the pool.
 out vec4 gleam;     // xy: change of light.z for each unit of slope. z: the same for a level surface.
                     // w: brightness of the sky's reflection in the pool.
 
-// Returns the soft shadow of a fish on the paper, which makes the fish appear to lie on the paper.
-float shade(vec3 world, vec4 rest, vec3 spine)
+// Returns how a fish changes the paper. x: nearness of the fish, which falls from 1 at its middle to
+// 0. y: brightness of the dent's walls and creases, relative to level paper. z: height of the walls
+// in body lengths.
+vec3 dent(vec3 world, vec3 up, vec4 rest, vec3 spine)
 {
-    vec3 d = world - rest.xyz + vec3(0.10, 0.0, -0.02) * rest.w; // The shadow is shifted to the
-                                                                 // side, where it is visible.
+    vec3 d = (world - rest.xyz) / max(rest.w, 1e-4);
+    float over = -dot(d, up);
+    d += up * over; // Distance in the plane of the paper.
     float along = dot(d, spine);
-    float across = length(d - spine * along);
-    return (1.0 - smoothstep(0.12, 0.40, across / max(rest.w, 1e-4)))
-        * (1.0 - smoothstep(0.34, 0.62, abs(along) / max(rest.w, 1e-4)));
+    vec3 side = d - spine * along;
+    float ends = 1.0 - smoothstep(0.30, 0.66, abs(along));
+    // The shadow is shifted to the side, where it is visible, and fades below a leaping fish.
+    float near = max(1.0 - 1.6 * length(side + (0.04 + 0.3 * abs(over)) * vec3(1.0, 0.0, -0.3)), 0.0) * ends
+        * (1.0 - smoothstep(0.16, 0.50, abs(over)));
+    float wall = 4.0 * near * (1.0 - near);
+    vec3 away = side / max(length(side), 1e-4);
+    return vec3(near, wall * (0.45 * sin(26.0 * along) - dot(away, vec3(0.75, 0.0, 0.55))), wall * near);
 }
 
 const float FLAP_RADII = 0.55;          // Drop of a flap of torn paper whose distance to the edge
                                         // is 1, in ring radii.
+const float WALL = 0.12;                // Height of the walls of a dent, in ring radii.
 const float SAG_SHOWN = 2.2;            // The sag is drawn larger than computed, because 1 or 2 mm
                                         // are not visible.
 
@@ -48,6 +57,10 @@ void main()
     float sways = world.y < 0.0 ? 0.5 + 0.2 * sin(eye.w * 3.0 + 9.0 * position.x) : 1.0;
     float radius_m = length(pose[0].xyz);
     world.y -= hangs * sways * FLAP_RADII * radius_m;
+    // Fish lie in dents, whose walls hide the lower side of the fish.
+    vec3 up = pose[1].xyz / radius_m;
+    vec3 dents = dent(world, up, rests[0], spines[0]) + dent(world, up, rests[1], spines[1]);
+    world.y += WALL * radius_m * dents.z * belly;
     // Loaded paper is pulled into the middle, and wrinkles run from the ring toward the middle.
     float loaded = clamp(abs(paper.x) * 22.0, 0.0, 1.0) * (0.4 + 0.6 * cell.r);
     float around = atan(position.y, position.x);
@@ -62,7 +75,8 @@ void main()
     // The lower middle is darker, and the side of the belly that faces the lamps is brighter.
     light.x *= 1.0 + loaded * (0.34 * wrinkle - 0.21 * belly * belly - dot(position, vec2(0.17, 0.10)));
     light.x *= 1.0 - 0.7 * shade_above(world);
-    light.y = max(shade(world, rests[0], spines[0]), shade(world, rests[1], spines[1]));
+    light.x *= 1.0 + 0.36 * dents.y;
+    light.y = min(dents.x, 1.0);
     light.z = max(dot(n, middle), 0.0);
     light.w = world.y / max(length(n.xz), 0.1);
     at.z = clamp(length(pose[1].xz) / radius_m * 5.0 - 0.75, 0.0, 1.0);
