@@ -113,7 +113,7 @@ FEATURE_LINES = {
     'rim and counter from a kept picture while the camera moves, on each orientation and width of a screen': 88,
     'passers-by with sandals, strips of water that a near camera hides, and soft streaks of lanterns': 57,
     'hues of goldfish from deep red to gold, washed skin, and strong light on fish that is attenuated': 25,
-    'colours of a caught fish on its way to the counter': 51,
+    'a paper tag that flies to the counter for each caught fish': 15,
     'errors of a memory card by its host, bits of the supply that cannot be read, and the supply before the vents': 22,
     'refraction that joins the parts of a poi in water and air': 38,
     'flaps of torn paper from the distance to the edge of a hole, the wave and the drops of a poi at the surface': 116,

@@ -1,21 +1,25 @@
-/* ui_catch.c -- draws the animations of a catch: fish that fly from the bowl to the counter (the
- * displayed number of caught fish), and the word over a poi that narrowly missed a fish. */
+/* ui_catch.c -- draws the animations of a catch: paper tags that fly from the bowl to the counter
+ * (the displayed number of caught fish), and the word over a poi that narrowly missed a fish. */
 #include <math.h>
 
 #include "core/base/panic.h"
-#include "platform/render/fish_colours.h"
-#include "platform/render/textures.h"
 #include "platform/render/ui/ui_widgets.h"
 
-/* Duration in ticks of a fish's flight from the bowl to the counter, and delay in ticks between the
- * flights of two fish that were poured into the bowl together. */
+/* Duration in ticks of a tag's flight from the bowl to the counter, and delay in ticks between the
+ * flights of the tags of two fish that were poured into the bowl together. */
 #define FLIGHT_TICKS (CORE_TICK_HZ / 2u)
 #define FLIGHT_APART_TICKS (CORE_TICK_HZ / 8u)
 #define FLIGHT_RISE 130.0f /* Height of the flight's arc in layout units. */
-/* Widths in layout units of a fish at the start of its flight and at its end. */
-#define FLIGHT_WIDTH 104.0f
-#define FLIGHT_WIDTH_END 70.0f
-/* Time in seconds for which the number of caught fish is enlarged after a fish has arrived. */
+/* Widths in layout units of a tag at the start of its flight and at its end. */
+#define FLIGHT_WIDTH 92.0f
+#define FLIGHT_WIDTH_END 52.0f
+/* Shape of a tag, as factors of its width: height, radius of the corners, width of the border, and
+ * size of the text. */
+#define TAG_HEIGHT 0.66f
+#define TAG_CORNER 0.10f
+#define TAG_BORDER 0.06f
+#define TAG_TEXT 0.52f
+/* Time in seconds for which the number of caught fish is enlarged after a tag has arrived. */
 #define POP_S 0.45f
 
 /* Time in seconds for which the word for a near miss is shown, and the distance in layout units
@@ -40,62 +44,17 @@ static uint32_t flight_count(uint32_t caught)
     return caught < UI_FLIGHT_MAX ? caught : UI_FLIGHT_MAX;
 }
 
-/* Returns the appearance number of the highest fish in a player's bowl that is below the height
- * `*below_m`, and writes the height of this fish to `below_m`. The highest fish has just fallen
- * into the bowl. Returns 0 if the scene has no such fish. */
-static uint32_t highest_look(const struct scene *scene, uint32_t player, float *below_m)
-{
-    const struct scene_bowl *const bowl = &scene->bowl[player];
-    float highest_m = -INFINITY;
-    uint32_t look = 0;
-    for (uint32_t i = 0; i < scene->fish_count; i++) {
-        const struct scene_fish *const fish = &scene->fish[i];
-        const vec3 away = v3_sub(fish->position_m, bowl->position_m);
-        if (fish->place == SCENE_IN_BOWL && fish->position_m.y > highest_m &&
-            fish->position_m.y < *below_m &&
-            away.x * away.x + away.z * away.z < bowl->radius_m * bowl->radius_m) {
-            highest_m = fish->position_m.y;
-            look = fish->look;
-        }
-    }
-    *below_m = highest_m;
-    return look;
-}
-
-/* Writes the colours 0xRRGGBBAA of a fish with this appearance number: the larger part of the skin,
- * and the rest. */
-static void find_colours(uint32_t colours[2], uint32_t look)
-{
-    struct fish_colours skin;
-    const float layer = textures_pattern(look);
-    fish_colours_compute(&skin, 1.0f, textures_hue(look), layer);
-    const bool is_plain = layer < 3.0f, is_white = layer > 4.5f;
-    const float *const parts[2] = { is_white ? skin.pale_back : skin.stain_back,
-                                    is_plain   ? skin.stain_belly
-                                    : is_white ? skin.stain_back
-                                               : skin.pale_back };
-    for (uint32_t i = 0; i < 2; i++) {
-        colours[i] = 0xffu;
-        for (uint32_t channel = 0; channel < 3; channel++) {
-            const float byte = 255.0f * f_clamp(parts[i][channel], 0.0f, 1.0f) + 0.5f;
-            colours[i] |= (uint32_t)byte << (24u - 8u * channel);
-        }
-    }
-}
-
 void ui_catch_notice(struct ui_memory *memory, const struct scene *scene)
 {
     const bool is_round = scene->phase == PHASE_ROUND && memory->phase == PHASE_ROUND;
     const bool continues = scene->tick >= memory->tick;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint32_t caught = scene->caught[i], before = memory->caught[i];
-        float below_m = INFINITY;
         if (is_round && continues && caught > before) {
             for (uint32_t k = flight_count(caught - before); k > 0; k--) {
                 const uint32_t waits = flight_count(caught - before) - k;
                 const uint32_t slot = (caught - k + 1u) % UI_FLIGHT_MAX;
                 memory->flight_tick[i][slot] = scene->tick + waits * FLIGHT_APART_TICKS;
-                memory->flight_look[i][slot] = highest_look(scene, i, &below_m);
             }
         } else if (caught != before || !continues) {
             /* Outside a continuing round, all caught fish count as arrived, and no fish flies. */
@@ -132,6 +91,18 @@ float ui_catch_pop(const struct ui_frame *frame, uint32_t player)
     return pop;
 }
 
+/* Draws a paper tag with "+1" and a border of the player's colour, centred at (x, y). */
+static void draw_tag(const struct ui_frame *frame, uint32_t player, float x, float y, float width)
+{
+    const float height = TAG_HEIGHT * width;
+    const struct ui_box box = { x - 0.5f * width, y - 0.5f * height, width, height };
+    CORE_ASSERT(player < POI_MAX);
+    ui_panel(frame, UI_WASHI, box, TAG_CORNER * width, TAG_BORDER * width, UI_WASHI_WHITE,
+             ui_player_colours[player]);
+    const float size = TAG_TEXT * width / frame->unit;
+    ui_text_at(frame, ui_style(frame, FONT_STALL, size, 0.5f, UI_INK, 0.0f), x, y, "+1");
+}
+
 void ui_catch_flights(const struct ui_frame *frame, uint32_t player, struct ui_point counter)
 {
     const uint32_t caught = frame->scene->caught[player];
@@ -147,10 +118,7 @@ void ui_catch_flights(const struct ui_frame *frame, uint32_t player, struct ui_p
         const float width = f_lerp(FLIGHT_WIDTH, FLIGHT_WIDTH_END, along) * frame->unit;
         const float at_x = f_lerp(from.x, counter.x, along);
         const float at_y = fmaxf(f_lerp(from.y, counter.y, along) - rise, 0.5f * width);
-        ui_glow(frame, ui_around(at_x, at_y, width), ui_fade(0xffd9a0ffu, 0.5f));
-        uint32_t colours[2];
-        find_colours(colours, frame->memory->flight_look[player][(caught - k) % UI_FLIGHT_MAX]);
-        ui_fish_in_colours(frame, at_x, at_y, width, colours);
+        draw_tag(frame, player, at_x, at_y, width);
     }
 }
 

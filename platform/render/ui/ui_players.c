@@ -64,7 +64,7 @@ void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius,
     }
 }
 
-/* Draws the plate of a player. Returns the place of the counter, to which caught fish fly. */
+/* Draws the plate of a player. Returns the place of the counter, to which tags fly. */
 static struct ui_point plate(const struct ui_frame *frame, uint32_t player, struct ui_box box)
 {
     CORE_ASSERT(player < POI_MAX);
@@ -133,7 +133,7 @@ float ui_player_plates(const struct ui_frame *frame, float right_px)
             box.x += box.width + gap;
         }
     }
-    for (uint32_t i = 0; i < POI_MAX; i++) { /* Fish fly in front of all plates. */
+    for (uint32_t i = 0; i < POI_MAX; i++) { /* Tags fly in front of all plates. */
         ui_catch_flights(&larger, i, counters[i]);
     }
     return box.y + box.height;

@@ -9,9 +9,9 @@
 #include "platform/render/ui/ui_batch.h"
 #include "platform/species/library.h"
 
-/* Maximum number of caught fish of one player that fly to the counter (the displayed number of
- * fish) at the same time. If more fish are caught meanwhile, the oldest flights end early and their
- * fish are counted at once. */
+/* Maximum number of paper tags of one player that fly to the counter (the displayed number of
+ * caught fish) at the same time. Each fish has one tag. If more fish are caught meanwhile, the
+ * oldest flights end early and their fish are counted at once. */
 #define UI_FLIGHT_MAX 8u
 
 /* Values that the screens showed last, so that a changed value can be animated. A zeroed struct is
@@ -19,11 +19,9 @@
 struct ui_memory {
     uint32_t hint_tick; /* Tick of the last change of the hint. */
     uint32_t caught[POI_MAX];
-    /* Tick at which fish number n of each player began to fly from the bowl to the counter (the
-     * displayed number of fish). The index is n % UI_FLIGHT_MAX. */
+    /* Tick at which the tag of fish number n of each player began to fly from the bowl to the
+     * counter. The index is n % UI_FLIGHT_MAX. */
     uint32_t flight_tick[POI_MAX][UI_FLIGHT_MAX];
-    /* Appearance number `look` (struct scene_fish) of the same fish. */
-    uint32_t flight_look[POI_MAX][UI_FLIGHT_MAX];
     uint32_t tick;         /* Tick of the scene that was shown last. */
     uint32_t pointed_tick; /* Tick of the last change of the selected tags. */
     /* Bit mask of the selected tags (`pointed`), and of the tags that were selected before the last

@@ -19,18 +19,12 @@ const uint32_t ui_player_colours[POI_MAX] = { 0xf74c75ffu, 0x3385f2ffu, 0x40c25c
 
 void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width)
 {
-    ui_fish_in_colours(frame, x, y, width, (const uint32_t[2]){ 0xf2552effu, 0xfff4e4ffu });
-}
-
-void ui_fish_in_colours(const struct ui_frame *frame, float x, float y, float width,
-                        const uint32_t colours[2])
-{
     const float height = 0.56f * width;
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = { x - 0.5f * width, y - 0.5f * height, width, height },
                                  .kind = UI_FISH,
-                                 .fill = colours[0],
-                                 .line = colours[1],
+                                 .fill = 0xf2552effu,
+                                 .line = 0xfff4e4ffu,
                                  .shape = { 0, 0, sinf(frame->time_s * 6.0f) } });
 }
 

@@ -11,9 +11,6 @@ extern const uint32_t ui_player_colours[POI_MAX]; /* Colour of each player's rin
 
 /* Draws a goldfish with its nose to the left, centred at (x, y). */
 void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width);
-/* Draws the same goldfish with the colours 0xRRGGBBAA of its skin and of its patches. */
-void ui_fish_in_colours(const struct ui_frame *frame, float x, float y, float width,
-                        const uint32_t colours[2]);
 
 /* Draws a poi (the paper scoop), centred at (x, y). `paper_left` in [0, 1] is the fraction of the
  * paper that is not torn, and `ring` is the colour of the poi's ring. */
@@ -81,15 +78,15 @@ uint32_t ui_first_player(const struct scene *scene);
  * that only the slots with a bowl are counted. */
 uint32_t ui_bowl_count(const struct scene *scene);
 
-/* Records the numbers of caught fish of `scene`. A fish that was caught since the last call begins
- * to fly from the bowl to the counter (the displayed number of fish). */
+/* Records the numbers of caught fish of `scene`. For each fish that was caught since the last call,
+ * a paper tag begins to fly from the bowl to the counter (the displayed number of fish). */
 void ui_catch_notice(struct ui_memory *memory, const struct scene *scene);
-/* Returns the number of a player's caught fish that have arrived at the counter. */
+/* Returns the number of a player's caught fish whose tags have arrived at the counter. */
 uint32_t ui_catch_shown(const struct ui_frame *frame, uint32_t player);
 /* Returns the strength of the emphasis on a player's number of caught fish, [0, 1]. The strength is
- * 1 immediately after a fish has arrived at the counter, and decreases to 0. */
+ * 1 immediately after a tag has arrived at the counter, and decreases to 0. */
 float ui_catch_pop(const struct ui_frame *frame, uint32_t player);
-/* Draws the fish of a player that fly from the bowl to the point `counter`. */
+/* Draws the tags of a player that fly from the bowl to the point `counter`. */
 void ui_catch_flights(const struct ui_frame *frame, uint32_t player, struct ui_point counter);
 /* Returns true while a word is shown over the poi of `player` because the poi narrowly missed a
  * fish. */

@@ -706,8 +706,17 @@ static void test_the_tears_of_several_players_are_shown_in_turn(void **state)
     }
 }
 
+/* Returns true if a quad is a paper tag whose border has the colour of player 0. */
+static bool is_tag(uint32_t quad)
+{
+    const uint8_t *const line = batch.vertices[quad * 4u].line;
+    return batch.kinds[quad] == UI_WASHI && line[0] == ui_player_colours[0] >> 24 &&
+           line[1] == ((ui_player_colours[0] >> 16) & 255u) &&
+           line[2] == ((ui_player_colours[0] >> 8) & 255u);
+}
+
 /* Lays out a round of `players` players in which player 0 catches a fish, and checks that no plate
- * covers the fish. */
+ * covers the tag of the fish. */
 static void check_flight(uint8_t mode, uint32_t players)
 {
     bool flies = false;
@@ -721,63 +730,23 @@ static void check_flight(uint8_t mode, uint32_t players)
         lay_out(sizes[0]);
     }
     for (uint32_t i = 0; i < batch.quad_count; i++) {
-        flies |= batch.kinds[i] == UI_FISH && batch.kinds[i - 1u] == UI_GLOW;
+        flies |= is_tag(i);
         assert_false(flies && batch.kinds[i] == UI_WAVES);
     }
     assert_true(flies);
 }
 
-static void test_caught_fish_fly_in_front_of_all_plates(void **state)
+static void test_tags_fly_in_front_of_all_plates(void **state)
 {
     (void)state;
     check_flight(MODE_FESTIVAL, 3);
     check_flight(MODE_CHAMPIONSHIP, 1);
 }
 
-#define LOOK_BLACK 0x01000c00u /* Appearance number of a black fish (textures.c). */
-#define LOOK_RED 0x01000000u
-
-/* Lays out a catch of the fish `falls`, which is above the fish `rests` in the same bowl. Returns
- * the red of the fish that flies. */
-static uint32_t red_of_flight(uint32_t falls, uint32_t rests)
-{
-    const uint32_t looks[] = { rests, falls, LOOK_RED };
-    memory = (struct ui_memory){ 0 };
-    for (uint32_t caught = 1; caught < 3u; caught++) {
-        set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
-        set_match(MODE_FESTIVAL, 1, 1);
-        scene.tick += 30u * caught;
-        scene.caught[0] = caught;
-        scene.bowl[0].radius_m = 0.1f;
-        scene.fish_count = 3;
-        for (uint32_t i = 0; i < 3u; i++) { /* The highest fish is in the tank. */
-            scene.fish[i] = (struct scene_fish){ .look = looks[i],
-                                                 .place = i == 2u ? SCENE_IN_TANK : SCENE_IN_BOWL };
-            scene.fish[i].position_m = scene.bowl[0].position_m;
-            scene.fish[i].position_m.y += 0.01f * (float)i;
-        }
-        lay_out(sizes[0]);
-    }
-    for (uint32_t i = 1; i < batch.quad_count; i++) {
-        if (batch.kinds[i] == UI_FISH && batch.kinds[i - 1u] == UI_GLOW) {
-            return batch.vertices[i * 4u].fill[0];
-        }
-    }
-    fail_msg("no fish flies");
-    return 0;
-}
-
-static void test_a_flying_fish_has_the_colour_of_the_caught_fish(void **state)
-{
-    (void)state;
-    assert_in_range(red_of_flight(LOOK_BLACK, LOOK_RED), 1u, 60u);
-    assert_in_range(red_of_flight(LOOK_RED, LOOK_BLACK), 180u, 255u);
-}
-
 /* Lays out a round at `elapsed_ticks` after its first scene, with `caught` fish of player 0.
- * Returns the number of fish on the screen, and writes the number that the counter shows to
+ * Returns the number of paper tags that fly, and writes the number that the counter shows to
  * `shown`. */
-static uint32_t fish_in_round(uint32_t elapsed_ticks, uint32_t caught, uint32_t *shown)
+static uint32_t tags_in_round(uint32_t elapsed_ticks, uint32_t caught, uint32_t *shown)
 {
     set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
     set_match(MODE_FESTIVAL, 1, 1);
@@ -788,32 +757,32 @@ static uint32_t fish_in_round(uint32_t elapsed_ticks, uint32_t caught, uint32_t 
     check_inside(sizes[0]);
     const struct ui_frame frame = { .batch = &batch, .scene = &scene, .memory = &memory };
     *shown = ui_catch_shown(&frame, 0);
-    uint32_t fish = 0;
+    uint32_t tags = 0;
     for (uint32_t i = 0; i < batch.quad_count; i++) {
-        fish += batch.kinds[i] == UI_FISH;
+        tags += is_tag(i);
     }
-    return fish;
+    return tags;
 }
 
-static void test_caught_fish_fly_to_the_counter_and_count_there(void **state)
+static void test_tags_fly_to_the_counter_and_count_there(void **state)
 {
     (void)state;
     uint32_t shown;
     memory = (struct ui_memory){ 0 };
-    assert_int_equal(fish_in_round(0, 3, &shown), 1); /* The fish is the sign of the counter. */
-    assert_int_equal(shown, 3);                       /* The fish of the first scene do not fly. */
-    assert_int_equal(fish_in_round(4, 5, &shown), 2);
+    assert_int_equal(tags_in_round(0, 3, &shown), 0); /* No tag of the first scene flies. */
     assert_int_equal(shown, 3);
-    assert_int_equal(fish_in_round(4 + 30, 5, &shown), 3); /* The second fish follows the first. */
-    assert_int_equal(fish_in_round(4 + 59, 5, &shown), 3);
+    assert_int_equal(tags_in_round(4, 5, &shown), 1);
     assert_int_equal(shown, 3);
-    assert_int_equal(fish_in_round(4 + 60, 5, &shown), 2);
+    assert_int_equal(tags_in_round(4 + 30, 5, &shown), 2); /* The second tag follows the first. */
+    assert_int_equal(tags_in_round(4 + 59, 5, &shown), 2);
+    assert_int_equal(shown, 3);
+    assert_int_equal(tags_in_round(4 + 60, 5, &shown), 1);
     assert_int_equal(shown, 4);
-    assert_int_equal(fish_in_round(4 + 75, 5, &shown), 1);
+    assert_int_equal(tags_in_round(4 + 75, 5, &shown), 0);
     assert_int_equal(shown, 5);
-    fish_in_round(100, 105, &shown); /* Of 100 fish, the last eight fly. */
+    tags_in_round(100, 105, &shown); /* The tags of the last eight fish fly. */
     assert_int_equal(shown, 97);
-    assert_int_equal(fish_in_round(20, 2, &shown), 1); /* Another round, at an earlier tick. */
+    assert_int_equal(tags_in_round(20, 2, &shown), 0); /* Another round, at an earlier tick. */
     assert_int_equal(shown, 2);
 }
 
@@ -883,9 +852,8 @@ int main(void)
         cmocka_unit_test(test_a_higher_load_of_the_paper_is_darker),
         cmocka_unit_test(test_a_present_swims_into_a_bowl_on_the_result),
         cmocka_unit_test(test_the_tears_of_several_players_are_shown_in_turn),
-        cmocka_unit_test(test_caught_fish_fly_to_the_counter_and_count_there),
-        cmocka_unit_test(test_caught_fish_fly_in_front_of_all_plates),
-        cmocka_unit_test(test_a_flying_fish_has_the_colour_of_the_caught_fish),
+        cmocka_unit_test(test_tags_fly_to_the_counter_and_count_there),
+        cmocka_unit_test(test_tags_fly_in_front_of_all_plates),
         cmocka_unit_test(test_each_handle_has_the_number_of_its_player),
         cmocka_unit_test(test_a_near_miss_is_named_beside_its_poi_for_a_moment),
         cmocka_unit_test(test_the_largest_screen_leaves_quads_for_longer_languages),
