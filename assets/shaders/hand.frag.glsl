@@ -1,19 +1,24 @@
 // A hand in two layers: INSIDE, which is opaque, and the outline, which fades over one pixel.
 in vec4 tint;               // As in hand.vert.glsl.
-in vec3 place;
+in vec4 place;
 uniform mediump sampler2DArray surfaces; // Layer 0: pattern of the cloth. Layer 1: skin.
 out vec4 color;
 
 void main()
 {
-    float cover = place.z / fwidth(place.z);
+    vec2 aside = vec2(place.z, max(place.w, 0.0));
+    float left = 1.0 - dot(aside, aside);
+    float cover = left / fwidth(left);
 #ifdef INSIDE
-    if (cover < 1.0) {
+    const float LEAST = 1.0;
+#else
+    const float LEAST = 0.0; // Pixels beside the hand do not write depth.
+#endif
+    if (cover < LEAST) {
         discard;
     }
-#endif
     vec3 light = texture(surfaces, vec3(place.xy, place.y < 0.0 ? 1.0 : 0.0)).rgb;
-    vec3 c = mix(tint.rgb, vec3(0.98, 0.96, 0.90) * tint.a, light);
+    vec3 c = tint.rgb + tint.a * light;
 #ifdef INSIDE
     color = vec4(c, 1.0);
 #else

@@ -3,6 +3,8 @@
  * that reaches each place of the skin comes from the distance to the surface of these shapes. */
 #include "platform/render/pass/hand_mesh.h"
 
+#include <string.h>
+
 #include "core/base/panic.h"
 
 /* A tapered bone between two points, in inner radii of the ring in the axes of the handle. */
@@ -28,35 +30,35 @@ static const struct finger fingers[FINGER_COUNT] = {
         { -0.42f, 0.16f, 3.36f },
         { -0.23f, 0.02f, 2.88f } },
       { 0.22f, 0.250f, 0.220f, 0.170f } },
-    { { { 0.03f, 0.31f, 4.05f },
-        { 0.13f, 0.47f, 3.12f },
-        { 0.13f, 0.33f, 2.82f },
-        { 0.07f, 0.18f, 2.64f } },
-      { 0.17f, 0.215f, 0.190f, 0.155f } },
-    { { { 0.27f, 0.34f, 4.00f },
+    { { { 0.07f, 0.22f, 4.55f },
+        { 0.14f, 0.46f, 3.30f },
+        { 0.13f, 0.37f, 2.92f },
+        { 0.07f, 0.25f, 2.66f } },
+      { 0.22f, 0.222f, 0.195f, 0.160f } },
+    { { { 0.24f, 0.25f, 4.50f },
         { 0.46f, 0.31f, 3.04f },
         { 0.40f, -0.18f, 2.86f },
         { 0.04f, -0.34f, 2.96f } },
-      { 0.17f, 0.225f, 0.200f, 0.165f } },
-    { { { 0.49f, 0.28f, 4.08f },
+      { 0.23f, 0.230f, 0.205f, 0.165f } },
+    { { { 0.40f, 0.20f, 4.55f },
         { 0.71f, 0.14f, 3.27f },
         { 0.55f, -0.31f, 3.16f },
         { 0.14f, -0.40f, 3.32f } },
-      { 0.16f, 0.220f, 0.195f, 0.160f } },
-    { { { 0.64f, 0.16f, 4.25f },
+      { 0.22f, 0.225f, 0.200f, 0.160f } },
+    { { { 0.52f, 0.12f, 4.62f },
         { 0.82f, -0.03f, 3.62f },
         { 0.62f, -0.36f, 3.52f },
         { 0.26f, -0.40f, 3.68f } },
-      { 0.14f, 0.190f, 0.170f, 0.140f } },
+      { 0.18f, 0.195f, 0.175f, 0.140f } },
 };
 
 /* The palm: a bone from the wrist to each knuckle, and the balls of the thumb and of the little
  * finger. Then the forearm, which is wider than thick. */
 static const struct bone palm[] = {
-    { { 0.12f, 0.18f, 5.00f }, { 0.04f, 0.37f, 3.80f }, 0.29f, 0.25f },
-    { { 0.20f, 0.18f, 5.00f }, { 0.29f, 0.40f, 3.72f }, 0.29f, 0.25f },
-    { { 0.27f, 0.16f, 5.00f }, { 0.53f, 0.33f, 3.82f }, 0.29f, 0.24f },
-    { { 0.33f, 0.13f, 5.00f }, { 0.71f, 0.20f, 4.04f }, 0.28f, 0.22f },
+    { { 0.12f, 0.18f, 5.00f }, { 0.05f, 0.34f, 4.04f }, 0.29f, 0.20f },
+    { { 0.20f, 0.18f, 5.00f }, { 0.29f, 0.36f, 3.98f }, 0.29f, 0.20f },
+    { { 0.27f, 0.16f, 5.00f }, { 0.52f, 0.29f, 4.06f }, 0.29f, 0.19f },
+    { { 0.33f, 0.13f, 5.00f }, { 0.70f, 0.17f, 4.18f }, 0.28f, 0.19f },
     { { 0.06f, 0.14f, 4.86f }, { -0.28f, 0.17f, 4.14f }, 0.30f, 0.27f },
     { { 0.36f, 0.06f, 4.86f }, { 0.62f, 0.02f, 4.14f }, 0.28f, 0.26f },
     { { 0.13f, 0.16f, 5.00f }, { 0.10f, 0.14f, 7.40f }, 0.29f, 0.44f },
@@ -65,18 +67,25 @@ static const struct bone palm[] = {
 #define PALM_BONES (sizeof palm / sizeof *palm)
 
 #define BLEND 0.12f /* Width of the smooth transition between two bones of the palm. */
+#define SOFT 0.24f  /* Width of the transition of the light between the palm and a finger. */
+#define THIN 1e-3f  /* Width of nearly no transition. */
 #define STEPS_MAX 12u
 
 /* Columns and rows of the grids. The first and the last column of a tube are the same line. */
-#define FINGER_COLUMNS 6u
-#define FINGER_ROWS 7u
-#define PALM_COLUMNS 9u
+#define STRAIGHT_COLUMNS 6u
+#define BENT_COLUMNS 7u
+#define FINGER_ROWS 6u
+#define PALM_COLUMNS 11u
 #define PALM_ROWS 6u
 #define SLEEVE_COLUMNS 11u
 #define SLEEVE_ROWS 7u
 
-/* Factor for the radius of the vertices of a finger, whose five sides lie inside its circle. */
-#define FIVE_SIDES 1.16f
+/* The thumb and the index finger, whose outline is seen most, are nearly straight. Their five sides
+ * enclose the circle of the finger, and the shader cuts the drawn finger at the circle. The six
+ * sides of the other fingers lie inside and outside the circle. */
+#define STRAIGHT_COUNT 2u
+#define FIVE_SIDES 1.19f
+#define SIX_SIDES 1.08f
 /* Coordinate `v` of the grid of the palm at the knuckles. */
 #define PALM_CAP (2.0f / 5.0f)
 
@@ -94,22 +103,28 @@ static float distance_to_bone(vec3 p, const struct bone *bone)
     return v3_length(v3_muladd(there, along, -t)) - radius;
 }
 
+/* Returns the smooth union of two distances. `width` is the width of the transition. */
+static float blend(float a, float b, float width)
+{
+    const float h = f_max(width - f_abs(a - b), 0.0f) / width;
+    return f_min(a, b) - 0.25f * width * h * h;
+}
+
 /* Returns the signed distance of `p` from the surface of the palm and the forearm. */
 static float distance_to_palm(vec3 p)
 {
     float nearest = 1e3f;
     for (uint32_t i = 0; i < PALM_BONES; i++) {
-        const float distance = distance_to_bone(p, &palm[i]);
-        const float h = f_max(BLEND - f_abs(distance - nearest), 0.0f) / BLEND;
-        nearest = f_min(distance, nearest) - 0.25f * BLEND * h * h;
+        nearest = blend(nearest, distance_to_bone(p, &palm[i]), BLEND);
     }
     return nearest;
 }
 
-/* Returns the signed distance of `p` from the surface of the palm and of all fingers. */
-static float distance_to_hand(vec3 p)
+/* Returns the signed distance of `p` from the surface of the palm and of all fingers. `width` is
+ * the width of the smooth transition between the palm and a finger. */
+static float distance_to_hand(vec3 p, float width)
 {
-    float nearest = distance_to_palm(p);
+    float nearest = 1e3f;
     for (uint32_t i = 0; i < FINGER_COUNT; i++) {
         const struct finger *const finger = &fingers[i];
         for (uint32_t k = 0; k + 1u < JOINT_COUNT; k++) {
@@ -118,16 +133,18 @@ static float distance_to_hand(vec3 p)
             nearest = f_min(nearest, distance_to_bone(p, &bone));
         }
     }
-    return nearest;
+    return blend(nearest, distance_to_palm(p), width);
 }
 
-static vec3 palm_normal(vec3 p)
+/* Returns the direction away from the hand. The palm and the fingers have the same direction where
+ * they meet, so that the edge between them is not visible. */
+static vec3 hand_normal(vec3 p)
 {
     const float e = 0.01f;
-    const float here = distance_to_palm(p);
-    const vec3 slope = v3(distance_to_palm(v3(p.x + e, p.y, p.z)) - here,
-                          distance_to_palm(v3(p.x, p.y + e, p.z)) - here,
-                          distance_to_palm(v3(p.x, p.y, p.z + e)) - here);
+    const float here = distance_to_hand(p, SOFT);
+    const vec3 slope = v3(distance_to_hand(v3(p.x + e, p.y, p.z), SOFT) - here,
+                          distance_to_hand(v3(p.x, p.y + e, p.z), SOFT) - here,
+                          distance_to_hand(v3(p.x, p.y, p.z + e), SOFT) - here);
     return v3_normalize_or(slope, v3(0.0f, 1.0f, 0.0f));
 }
 
@@ -137,7 +154,7 @@ static float openness(vec3 p, vec3 normal)
     float shut = 0.0f;
     for (uint32_t i = 1; i <= 3u; i++) {
         const float height = 0.07f * (float)(i * i);
-        const float free = distance_to_hand(v3_muladd(p, normal, height));
+        const float free = distance_to_hand(v3_muladd(p, normal, height), THIN);
         shut += f_clamp(1.0f - free / height, 0.0f, 1.0f) * (0.54f - 0.10f * (float)i);
     }
     return f_clamp(1.0f - shut, 0.0f, 1.0f);
@@ -146,6 +163,7 @@ static float openness(vec3 p, vec3 normal)
 /* A place on a finger: its point, the direction away from the bone, and where it lies. */
 struct finger_place {
     vec3 point, normal;
+    vec3 along;   /* Direction of the bone, toward the tip. */
     float joint;  /* Joints from the knuckle (0) to the tip (3). */
     float turn;   /* Turns around the finger, from 0 at its back to 0.5 on both sides. */
     float capped; /* 0 before the tip, and 1 at the end of the finger. */
@@ -156,8 +174,8 @@ struct finger_place {
 static struct finger_place finger_at(const struct finger *finger, float u, float v, float scale)
 {
     /* Joints at which the rows of the grid lie. A bent joint has two rows. */
-    static const float rows[FINGER_ROWS] = { 0.0f, 0.70f, 1.42f, 2.1f, 3.0f, 3.0f, 3.0f };
-    static const float caps[FINGER_ROWS] = { 0.0f, 0.0f, 0.0f, 0.0f, 0.25f, 0.68f, 1.0f };
+    static const float rows[FINGER_ROWS] = { 0.0f, 0.66f, 1.44f, 2.10f, 3.0f, 3.0f };
+    static const float caps[FINGER_ROWS] = { 0.0f, 0.0f, 0.0f, 0.0f, 0.33f, 1.0f };
     const float row = f_clamp(v, 0.0f, 1.0f) * (float)(FINGER_ROWS - 1u);
     const uint32_t from = row < (float)(FINGER_ROWS - 1u) ? (uint32_t)row : FINGER_ROWS - 2u;
     const float t = f_lerp(rows[from], rows[from + 1u], row - (float)from);
@@ -168,7 +186,7 @@ static struct finger_place finger_at(const struct finger *finger, float u, float
         bones[i] = v3_normalize_or(v3_sub(finger->joints[i + 1u], finger->joints[i]),
                                    v3(0.0f, 0.0f, -1.0f));
     }
-    const vec3 first = v3_lerp(bones[0], bones[1], f_smoothstep(0.7f, 1.42f, t));
+    const vec3 first = v3_lerp(bones[0], bones[1], f_smoothstep(0.66f, 1.44f, t));
     const vec3 along =
         v3_normalize_or(v3_lerp(first, bones[2], f_smoothstep(1.7f, 2.3f, t)), first);
     const vec3 axis = v3_cross(bones[0], bones[2]); /* The joints bend around this axis. */
@@ -183,9 +201,15 @@ static struct finger_place finger_at(const struct finger *finger, float u, float
     const float radius = scale * f_lerp(finger->radii[joint], finger->radii[joint + 1u], share);
     return (struct finger_place){ .point = v3_muladd(centre, way, radius),
                                   .normal = way,
+                                  .along = along,
                                   .joint = t,
                                   .turn = f_abs(u - 0.5f),
                                   .capped = cap };
+}
+
+static bool is_straight(const struct finger *finger)
+{
+    return finger < fingers + STRAIGHT_COUNT;
 }
 
 static struct shape_vertex finger_point(float u, float v, const void *context)
@@ -193,7 +217,7 @@ static struct shape_vertex finger_point(float u, float v, const void *context)
     const struct finger *const finger = context;
     const float row = (float)(finger - fingers) * (float)FINGER_TEXELS + 0.5f;
     return (struct shape_vertex){
-        .position = finger_at(finger, u, v, FIVE_SIDES).point,
+        .position = finger_at(finger, u, v, is_straight(finger) ? FIVE_SIDES : SIX_SIDES).point,
         .u = (0.5f + v * (float)(HAND_SKIN_SIDE - 1u)) / (float)HAND_SKIN_SIDE,
         .v = (row + u * (float)(FINGER_TEXELS - 1u)) / (float)HAND_SKIN_SIDE - 1.0f,
     };
@@ -204,7 +228,7 @@ static struct shape_vertex finger_point(float u, float v, const void *context)
 static vec3 palm_at(float u, float v)
 {
     /* Places of the rows along z. The wrist, which bends, is between two rows. */
-    static const float rows[PALM_ROWS] = { 4.0f, 4.0f, 4.0f, 4.66f, 5.36f, 7.2f };
+    static const float rows[PALM_ROWS] = { 4.0f, 4.0f, 4.0f, 4.66f, 5.36f, 6.8f };
     const vec3 knuckles = v3(0.34f, 0.27f, 4.0f);
     const vec3 wrist = v3(HAND_WRIST_X, HAND_WRIST_Y, HAND_WRIST_Z);
     const float row = f_clamp(v, 0.0f, 1.0f) * (float)(PALM_ROWS - 1u);
@@ -236,29 +260,34 @@ static struct shape_vertex palm_point(float u, float v, const void *context)
 
 /* Returns a point of the sleeve. The first rows are the dark inside of the cuff, which is visible
  * behind the wrist because the lower edge of the cuff is in front of the upper edge. Then follow
- * the hem and the cloth. The cloth hangs below the cuff and has folds along the arm. `u` and `v` of
- * the vertex are the openness, and the distance around the sleeve or HAND_HEM. */
+ * the hem and the cloth. The cloth hangs far below the forearm near the cuff, and has folds along
+ * the arm. `u` and `v` of the vertex are the openness, and the distance around the sleeve or
+ * HAND_HEM. */
 static struct shape_vertex sleeve_point(float u, float v, const void *context)
 {
     (void)context;
     /* Places of the rows along the sleeve. Two rows lie at the same place where the cloth changes.
      * */
-    static const float alongs[SLEEVE_ROWS] = { 0.0f, 0.0f, 0.0f, 0.05f, 0.05f, 0.36f, 1.0f };
+    static const float alongs[SLEEVE_ROWS] = { 0.0f, 0.0f, 0.0f, 0.035f, 0.035f, 0.20f, 1.0f };
     const float row = f_clamp(v, 0.0f, 1.0f) * (float)(SLEEVE_ROWS - 1u);
     const uint32_t from = row < (float)(SLEEVE_ROWS - 1u) ? (uint32_t)row : SLEEVE_ROWS - 2u;
     const float along = f_lerp(alongs[from], alongs[from + 1u], row - (float)from);
     const float inside = f_max(1.0f - row, 0.0f);
     const float c = f_sin(u * F_TAU), s = 0.0f - f_cos(u * F_TAU);
     const float loose = (1.0f - along) * (1.0f - along);
-    const float folds = 0.05f * f_sin(u * F_TAU * 4.0f + 7.0f * along) * (1.0f - 0.5f * loose);
-    const float wide = (1.0f + folds) * (1.0f - 0.10f * inside);
-    const float height = s > 0.0f ? (0.62f + 0.10f * loose) * s : (0.55f + 0.80f * loose) * s;
-    const vec3 p =
-        v3(HAND_WRIST_X + (0.84f + 0.32f * loose) * wide * c, HAND_WRIST_Y + wide * height,
-           HAND_CUFF_Z + 0.42f * s * loose + (HAND_SLEEVE_END_Z - HAND_CUFF_Z) * along +
-               1.0f * inside);
+    /* Every second column of the grid lies in a fold. The folds start behind the hem. */
+    const float fold = (0.5f + 0.5f * f_cos(u * F_TAU * 5.0f)) * (0.7f + 0.3f * f_sin(u * 17.0f)) *
+                       f_smoothstep(0.0f, 0.16f, along);
+    const float wide = (1.0f - 0.07f * fold) * (1.0f - 0.10f * inside);
+    const float bag = f_sin(F_PI * f_min(2.5f * along, 1.0f));
+    const float hangs = 0.62f + 0.66f * loose + 1.10f * bag;
+    const float flat = 1.0f - 0.22f * loose * f_max(0.0f - s, 0.0f); /* A bag of cloth is flat. */
+    const vec3 p = v3(HAND_WRIST_X + (0.92f + 0.06f * loose + 0.34f * bag) * flat * wide * c,
+                      HAND_WRIST_Y + wide * (s > 0.0f ? 0.60f : hangs) * s - 0.12f * bag,
+                      HAND_CUFF_Z + 0.30f * s * loose + (HAND_SLEEVE_END_Z - HAND_CUFF_Z) * along +
+                          1.0f * inside);
     const bool is_hem = row > 1.5f && row < 3.5f;
-    const float open = row < 1.5f ? f_lerp(0.46f, 0.14f, inside) : 0.86f + 0.14f * s;
+    const float open = row < 1.5f ? f_lerp(0.46f, 0.14f, inside) : 0.88f + 0.12f * s - 0.30f * fold;
     return (struct shape_vertex){ .position = p, .u = open, .v = is_hem ? HAND_HEM : 6.0f * u };
 }
 
@@ -290,18 +319,34 @@ static void smooth_normals(struct shape *shape, uint32_t first, uint32_t first_i
     }
 }
 
-void hand_mesh(struct shape *shape)
+/* Appends a finger. Writes the directions of its bones if the finger is straight. */
+static void add_finger(struct shape *shape, vec3 *axes, const struct finger *finger)
 {
+    const uint32_t first = shape->vertex_count, first_index = shape->index_count;
+    const uint32_t columns = is_straight(finger) ? STRAIGHT_COLUMNS : BENT_COLUMNS;
+    shape_grid(shape, columns, FINGER_ROWS, finger_point, finger);
+    CORE_ASSERT(shape->vertex_count <= HAND_VERTEX_MAX);
+    smooth_normals(shape, first, first_index, columns);
+    for (uint32_t i = 0; is_straight(finger) && i < columns * FINGER_ROWS; i++) {
+        const float u = (float)(i % columns) / (float)(columns - 1u);
+        const float v = (float)(i / columns) / (float)(FINGER_ROWS - 1u);
+        const struct finger_place place = finger_at(finger, u, v, FIVE_SIDES);
+        shape->vertices[first + i].normal = place.normal;
+        axes[first + i] = place.along;
+    }
+}
+
+void hand_mesh(struct shape *shape, vec3 axes[HAND_VERTEX_MAX])
+{
+    CORE_ASSERT(shape->vertex_count == 0);
+    memset(axes, 0, HAND_VERTEX_MAX * sizeof *axes);
     /* Parts that hide others come first, so that hidden pixels are not shaded. */
     shape_grid(shape, SLEEVE_COLUMNS, SLEEVE_ROWS, sleeve_point, NULL);
-    uint32_t vertex = shape->vertex_count, index = shape->index_count;
+    const uint32_t vertex = shape->vertex_count, index = shape->index_count;
     shape_grid(shape, PALM_COLUMNS, PALM_ROWS, palm_point, NULL);
     smooth_normals(shape, vertex, index, PALM_COLUMNS);
     for (uint32_t i = 0; i < FINGER_COUNT; i++) {
-        vertex = shape->vertex_count;
-        index = shape->index_count;
-        shape_grid(shape, FINGER_COLUMNS, FINGER_ROWS, finger_point, &fingers[i]);
-        smooth_normals(shape, vertex, index, FINGER_COLUMNS);
+        add_finger(shape, axes, &fingers[i]);
     }
 }
 
@@ -310,9 +355,9 @@ void hand_mesh(struct shape *shape)
  * of a joint and of a nail. */
 static void paint_skin(uint8_t *texel, float light, float blush, float nail)
 {
-    static const float skins[3] = { 1.0f, 0.77f, 0.62f };
-    static const float blushes[3] = { 0.98f, 0.64f, 0.50f };
-    static const float nails[3] = { 1.0f, 0.82f, 0.74f };
+    static const float skins[3] = { 0.98f, 0.86f, 0.67f };
+    static const float blushes[3] = { 0.98f, 0.72f, 0.55f };
+    static const float nails[3] = { 1.0f, 0.84f, 0.75f };
     static const float warmth[3] = { 0.40f, 0.02f, -0.06f };
     for (uint32_t i = 0; i < 3u; i++) {
         const float lit = light * (1.0f + warmth[i] * (1.0f - light));
@@ -323,10 +368,13 @@ static void paint_skin(uint8_t *texel, float light, float blush, float nail)
 
 /* Returns the light on a surface: little in grooves, and more on a surface that faces up. A place
  * inside another part of the hand is light, because the triangles may show this place. */
-static float light_on(vec3 p, vec3 normal)
+static float light_on(vec3 p)
 {
-    const float buried = f_smoothstep(-0.02f, -0.07f, distance_to_hand(p));
-    return f_lerp(openness(p, normal), 0.9f, buried) * (0.74f + 0.26f * normal.y);
+    const vec3 normal = hand_normal(p);
+    const float depth = f_max(0.0f - distance_to_hand(p, SOFT), 0.0f);
+    const float open = 0.2f + 0.8f * openness(v3_muladd(p, normal, depth), normal);
+    const float buried = f_smoothstep(0.16f, 0.24f, depth);
+    return f_lerp(open, 0.9f, buried) * (0.74f + 0.26f * normal.y);
 }
 
 static void paint_finger(uint8_t *texel, const struct finger *finger, float u, float v)
@@ -340,8 +388,7 @@ static void paint_finger(uint8_t *texel, const struct finger *finger, float u, f
     const float far = f_sqrt(ahead * ahead * 7.0f + place.turn * place.turn * 36.0f);
     const float nail = f_smoothstep(0.92f, 0.80f, far);
     const float edge = f_smoothstep(0.16f, 0.02f, f_abs(far - 0.92f));
-    const float light =
-        light_on(place.point, place.normal) * (1.0f - 0.09f * crease - 0.20f * edge);
+    const float light = light_on(place.point) * (1.0f - 0.09f * crease - 0.20f * edge);
     const float blush = f_max(f_smoothstep(0.34f, 0.05f, bend) * back,
                               f_smoothstep(2.5f, 3.2f, place.joint + 0.4f * place.capped));
     paint_skin(texel, light, 0.4f * blush, 0.8f * nail);
@@ -360,8 +407,8 @@ static void paint_palm(uint8_t *texel, float u, float v)
     }
     const float ahead = f_smoothstep(4.9f, 3.9f, p.z);
     const float groove = f_smoothstep(0.09f, 0.0f, second - nearest) * ahead;
-    const float light = light_on(p, palm_normal(p)) * (1.0f - 0.22f * groove);
-    paint_skin(texel, light, 0.5f * f_smoothstep(4.05f, 3.75f, p.z), 0.0f);
+    const float light = light_on(p) * (1.0f - 0.12f * groove);
+    paint_skin(texel, light, 0.2f * f_smoothstep(4.05f, 3.75f, p.z), 0.0f);
 }
 
 void hand_skin(uint8_t texels[HAND_SKIN_SIDE * HAND_SKIN_SIDE][3])

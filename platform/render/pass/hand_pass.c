@@ -12,15 +12,17 @@
 /* Front end of the hand along the handle, half of the largest width of the arm, and number of
  * straight parts of which the picture of the arm is assumed to consist. */
 #define HAND_FRONT_Z 2.4f
-#define ARM_HALF_WIDTH 1.3f
+#define ARM_HALF_WIDTH 1.4f
 #define ARM_PARTS 6u
 /* Height in m of the player's shoulder above the water, and its distance from the tank. */
 #define SHOULDER_M 0.36f
 #define SHOULDER_AWAY_M 0.36f
 /* Greatest sine of the elevation of the forearm. A steeper forearm would hide the paper. */
 #define RISE_MAX 0.72f
-/* Height in m above the water at which the sleeve begins, if the forearm can rise so steeply. */
+/* Height in m above the water that the forearm reaches within CLEAR_LENGTH ring radii of the wrist,
+ * if the forearm can rise so steeply. */
 #define CUFF_CLEAR_M 0.03f
+#define CLEAR_LENGTH 1.3f
 
 /* Length of a unit of the mesh of a hand that holds a fan, and the place in the mesh at which the
  * handle of the fan ends. */
@@ -107,7 +109,7 @@ static void place_arm(struct hand_frames *out, const struct scene *scene, const 
     const vec3 way = way_to_player(scene, grip);
     const float far_m = distance_to_player(scene, wrist_m, way);
     const float high_m = SHOULDER_M - wrist_m.y;
-    const float needed = (CUFF_CLEAR_M - wrist_m.y) / ((HAND_CUFF_Z - HAND_WRIST_Z) * unit_m);
+    const float needed = (CUFF_CLEAR_M - wrist_m.y) / (CLEAR_LENGTH * unit_m);
     const float rise =
         f_clamp(f_max(high_m / f_sqrt(high_m * high_m + far_m * far_m), needed), 0.0f, RISE_MAX);
     const float level = f_sqrt(1.0f - rise * rise);
@@ -205,19 +207,23 @@ static float nearer_than_rim(const struct scene *scene, const struct hand_frames
     return f_min(DEPTH_PER_INVERSE_M * nearer, NEARER_MAX);
 }
 
-/* Draws the pattern of the cloth, a tile with flowers of five petals at its middle and corners. */
+/* Draws the pattern of the cloth: hemp leaves, which are the edges of triangles and lines from the
+ * corners of each triangle to its middle. A tile has 3 triangles in a row, and 4 rows. */
 static void draw_cloth(uint8_t texels[HAND_SKIN_SIDE * HAND_SKIN_SIDE][3])
 {
     for (uint32_t i = 0; i < HAND_SKIN_SIDE * HAND_SKIN_SIDE; i++) {
-        const float x = ((float)(i % HAND_SKIN_SIDE) + 0.5f) / (float)HAND_SKIN_SIDE - 0.5f;
-        const float y = ((float)(i / HAND_SKIN_SIDE) + 0.5f) / (float)HAND_SKIN_SIDE - 0.5f;
-        const bool is_middle = f_abs(x) + f_abs(y) < 0.5f;
-        const float right = is_middle ? x : x - (x < 0.0f ? -0.5f : 0.5f);
-        const float up = is_middle ? y : y - (y < 0.0f ? -0.5f : 0.5f);
-        const float r = f_sqrt(right * right + up * up);
-        const float petal = 0.17f + 0.065f * f_cos(5.0f * f_atan2(right, up));
-        const float shown = f_min((petal - r) * 32.0f, (r - 0.045f) * 44.0f) + 0.5f;
-        memset(texels[i], (int)(255.0f * f_clamp(shown, 0.0f, 1.0f)), sizeof texels[i]);
+        const float y = 4.0f * (float)(i / HAND_SKIN_SIDE) / (float)HAND_SKIN_SIDE;
+        const float x = 3.0f * (float)(i % HAND_SKIN_SIDE) / (float)HAND_SKIN_SIDE + 0.5f * y;
+        const float a = x - f_floor(x), b = y - f_floor(y);
+        /* Distances to the three sides of the triangle, in heights of the triangle. */
+        const float first = a + b < 1.0f ? a : 1.0f - a;
+        const float second = a + b < 1.0f ? b : 1.0f - b;
+        const float third = 1.0f - first - second;
+        const float least = f_min(f_min(first, second), third);
+        const float most = f_max(f_max(first, second), third);
+        const float middle = 1.0f - least - most;
+        const float line = f_min(least, 0.6f * (middle - least));
+        memset(texels[i], (int)(84.0f * f_smoothstep(0.075f, 0.025f, line)), sizeof texels[i]);
     }
 }
 
@@ -242,6 +248,7 @@ void hand_pass_open(struct gl_status *status, struct hand_pass *pass)
     static const char *const names[HAND_LAYERS] = { "hand", "hand outline" };
     static const char *const defines[HAND_LAYERS] = { "#define INSIDE\n", "" };
     struct shape shape = { 0 };
+    vec3 axes[HAND_VERTEX_MAX];
     for (uint32_t i = 0; i < HAND_LAYERS; i++) {
         struct hand_program *const program = &pass->programs[i];
         program->name = gl_program(status, names[i], defines[i], shader_hand_vert, shader_hand_frag,
@@ -251,8 +258,12 @@ void hand_pass_open(struct gl_status *status, struct hand_pass *pass)
         program->nearer = glGetUniformLocation(program->name, "nearer");
     }
     pass->surfaces = open_surfaces(status);
-    hand_mesh(&shape);
+    hand_mesh(&shape, axes);
     shape_upload(&shape, &pass->mesh);
+    glBindVertexArray(pass->mesh.vertex_array);
+    pass->axes = gl_buffer(GL_ARRAY_BUFFER, axes, sizeof axes);
+    gl_attribute_floats(3, 3, sizeof *axes, 0);
+    glBindVertexArray(0);
 }
 
 void hand_pass_close(struct hand_pass *pass)
@@ -261,6 +272,7 @@ void hand_pass_close(struct hand_pass *pass)
         glDeleteProgram(pass->programs[i].name);
     }
     glDeleteTextures(1, &pass->surfaces);
+    glDeleteBuffers(1, &pass->axes);
     shape_close(&pass->mesh);
 }
 
@@ -290,39 +302,44 @@ static void draw_hand(const struct hand_pass *pass, enum hand_layer layer,
 {
     const struct hand_program *const program = &pass->programs[layer];
     const float *const paint = poi_paint(owner);
+    glUseProgram(program->name);
     glUniformMatrix4fv(program->frames, HAND_FRAMES, GL_FALSE, frames->matrices[0]);
     glUniform4f(program->paint, paint[0], paint[1], paint[2], frames->stretch);
     glUniform1f(program->nearer, frames->nearer);
     glFrontFace(frames->left ? GL_CW : GL_CCW);
-    shape_draw(&pass->mesh);
-}
-
-static void begin_hands(const struct hand_pass *pass, enum hand_layer layer)
-{
-    glUseProgram(pass->programs[layer].name);
-    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, pass->surfaces);
-    glEnable(GL_CULL_FACE);
     if (layer == HAND_OUTLINE) {
         glEnable(GL_BLEND);
         glDepthFunc(GL_LESS); /* Pixels of the layer HAND_INSIDE are not drawn again. */
     }
+    shape_draw(&pass->mesh);
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_LEQUAL);
+}
+
+static void begin_hands(const struct hand_pass *pass)
+{
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, pass->surfaces);
+    glEnable(GL_CULL_FACE);
 }
 
 static void end_hands(void)
 {
     glFrontFace(GL_CCW);
-    glDepthFunc(GL_LEQUAL);
     glDisable(GL_CULL_FACE);
-    glDisable(GL_BLEND);
 }
 
 void hand_pass_draw(const struct hand_pass *pass, const struct scene *scene, enum hand_layer layer)
 {
-    begin_hands(pass, layer);
+    begin_hands(pass);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct hand_frames *const frames = &pass->frames[i];
-        if (scene->poi[i].present && (layer == HAND_OUTLINE || !frames->covers_paper)) {
-            draw_hand(pass, layer, frames, scene->poi[i].owner);
+        if (scene->poi[i].present) {
+            if (frames->covers_paper == (layer == HAND_OUTLINE)) {
+                draw_hand(pass, HAND_INSIDE, frames, scene->poi[i].owner);
+            }
+            if (layer == HAND_OUTLINE) {
+                draw_hand(pass, HAND_OUTLINE, frames, scene->poi[i].owner);
+            }
         }
     }
     end_hands();
@@ -330,10 +347,12 @@ void hand_pass_draw(const struct hand_pass *pass, const struct scene *scene, enu
 
 void hand_pass_fans(const struct hand_pass *pass, const struct scene *scene)
 {
-    begin_hands(pass, HAND_OUTLINE);
+    begin_hands(pass);
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         if (scene->fan[i].present && !scene->fan[i].unseen) {
-            draw_hand(pass, HAND_OUTLINE, &pass->fan_frames[i], scene->fan[i].owner);
+            for (uint32_t layer = 0; layer < HAND_LAYERS; layer++) {
+                draw_hand(pass, layer, &pass->fan_frames[i], scene->fan[i].owner);
+            }
         }
     }
     end_hands();

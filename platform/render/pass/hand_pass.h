@@ -29,7 +29,8 @@ struct hand_frames {
  * is drawn after all other objects. */
 enum hand_layer {
     HAND_INSIDE = 0,
-    HAND_OUTLINE = 1, /* Draws a hand completely if its arm may overlap the paper of a poi. */
+    HAND_OUTLINE = 1, /* Also draws the inside of a hand whose arm may overlap the paper of a poi.
+                       */
     HAND_LAYERS = 2,
 };
 
@@ -41,6 +42,7 @@ struct hand_program {
 struct hand_pass {
     struct hand_program programs[HAND_LAYERS]; /* Indexed by enum hand_layer. */
     struct shape_buffers mesh;
+    GLuint axes;     /* Vertex buffer with the directions of the bones (hand_mesh()). */
     GLuint surfaces; /* Texture: layer 0 is the pattern of the cloth, and layer 1 the skin. */
     struct hand_frames frames[POI_MAX]; /* Frames of this picture. */
     struct hand_frames fan_frames[SHADE_MAX];

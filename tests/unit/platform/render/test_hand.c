@@ -13,6 +13,7 @@
 #include "tests/unit/support/display_fixture.h"
 
 static struct shape shape;
+static vec3 bones[HAND_VERTEX_MAX];
 
 /* Distance along the handle, in ring radii, at which the player's number is drawn. */
 #define NUMBER_AT 2.3f
@@ -22,7 +23,7 @@ static void test_the_mesh_has_about_400_triangles(void **state)
     (void)state;
     uint32_t count = 0;
     shape.vertex_count = shape.index_count = 0;
-    hand_mesh(&shape);
+    hand_mesh(&shape, bones);
     for (uint32_t i = 0; i < shape.index_count; i += 3) {
         const struct shape_vertex *const a = &shape.vertices[shape.indices[i]];
         const vec3 ab = v3_sub(shape.vertices[shape.indices[i + 1u]].position, a->position);
@@ -36,7 +37,7 @@ static void test_the_mesh_leaves_the_ring_and_the_number_on_the_handle_free(void
 {
     (void)state;
     shape.vertex_count = shape.index_count = 0;
-    hand_mesh(&shape);
+    hand_mesh(&shape, bones);
     for (uint32_t i = 0; i < shape.vertex_count; i++) {
         const struct shape_vertex *const vertex = &shape.vertices[i];
         assert_true(vertex->position.z > NUMBER_AT);
@@ -51,7 +52,7 @@ static void test_the_thumb_lies_on_the_handle_and_fingers_wrap_it(void **state)
     /* Heights of the skin above and below the handle, within the width of the handle. */
     float above = 0.0f, below = 0.0f;
     shape.vertex_count = shape.index_count = 0;
-    hand_mesh(&shape);
+    hand_mesh(&shape, bones);
     for (uint32_t i = 0; i < shape.vertex_count; i++) {
         const vec3 p = shape.vertices[i].position;
         if (shape.vertices[i].v < 0.0f && f_abs(p.x) < 0.14f && p.z < 3.4f) {
@@ -69,7 +70,7 @@ static void test_the_normals_of_the_skin_agree_with_its_triangles(void **state)
 {
     (void)state;
     shape.vertex_count = shape.index_count = 0;
-    hand_mesh(&shape);
+    hand_mesh(&shape, bones);
     for (uint32_t i = 0; i < shape.index_count; i += 3) {
         const struct shape_vertex *corners[3];
         for (uint32_t k = 0; k < 3u; k++) {
@@ -82,6 +83,44 @@ static void test_the_normals_of_the_skin_agree_with_its_triangles(void **state)
             assert_true(v3_dot(face, sum) > 0.0f);
         }
     }
+}
+
+/* The shader cuts a drawn finger at the circle around its bone. */
+static void test_the_thumb_and_the_index_finger_have_directions_of_bones(void **state)
+{
+    (void)state;
+    uint32_t count = 0;
+    shape.vertex_count = shape.index_count = 0;
+    hand_mesh(&shape, bones);
+    for (uint32_t i = 0; i < shape.vertex_count; i++) {
+        if (v3_length(bones[i]) > 0.0f) {
+            const float ahead = v3_dot(bones[i], shape.vertices[i].normal);
+            assert_true(shape.vertices[i].v < 0.0f);
+            assert_float_equal(v3_length(bones[i]), 1.0f, 1e-4f);
+            /* On the side of the finger, and on its round tip. */
+            assert_true(f_abs(ahead) < 1e-4f || ahead > 0.4f);
+            count++;
+        }
+    }
+    assert_in_range(count, 60, 120);
+}
+
+static void test_the_sleeve_hangs_below_the_forearm(void **state)
+{
+    (void)state;
+    float above = 0.0f, below = 0.0f;
+    shape.vertex_count = shape.index_count = 0;
+    hand_mesh(&shape, bones);
+    for (uint32_t i = 0; i < shape.vertex_count; i++) {
+        const struct shape_vertex *const vertex = &shape.vertices[i];
+        if (vertex->v >= 0.0f) {
+            above = f_max(above, vertex->position.y - HAND_WRIST_Y);
+            below = f_max(below, HAND_WRIST_Y - vertex->position.y);
+            /* The sleeve leaves the palm free. */
+            assert_true(vertex->position.z > 4.6f);
+        }
+    }
+    assert_true(below > 2.0f * above);
 }
 
 static void test_the_skin_is_dark_between_the_fingers_and_light_on_their_backs(void **state)
@@ -105,6 +144,12 @@ static vec3 moved(const float frame[16], vec3 p)
     return v3(frame[0] * p.x + frame[4] * p.y + frame[8] * p.z + frame[12],
               frame[1] * p.x + frame[5] * p.y + frame[9] * p.z + frame[13],
               frame[2] * p.x + frame[6] * p.y + frame[10] * p.z + frame[14]);
+}
+
+/* Returns the end of the sleeve along the forearm. */
+static float sleeve_end(const struct hand_frames *frames)
+{
+    return HAND_CUFF_Z + (HAND_SLEEVE_END_Z - HAND_CUFF_Z) * frames->stretch;
 }
 
 /* Puts one poi into the scene. */
@@ -214,7 +259,7 @@ static void test_the_arm_ends_outside_the_tank(void **state)
         struct hand_frames frames;
         const vec3 at_m = v3(0.3f * (float)(i % 3 - 1), 0.05f, 0.2f * (float)(i / 3 - 1));
         hand_frames_of(&frames, &scene, hold(at_m, (struct angles){ 0 }, 0.3f * (float)i - 1.1f));
-        const vec3 end = moved(frames.matrices[2], v3(0.22f, 0.14f, 6.3f + 6.0f * frames.stretch));
+        const vec3 end = moved(frames.matrices[2], v3(0.22f, 0.14f, sleeve_end(&frames)));
         assert_true(f_abs(end.x) > 0.5f * scene.tank_size_m.x ||
                     f_abs(end.z) > 0.5f * scene.tank_size_m.z);
     }
@@ -337,8 +382,7 @@ static void test_the_free_hand_of_the_player_holds_the_fan(void **state)
         /* The end of the handle is between the fingers and the palm. */
         assert_true(v3_length(v3_sub(end, moved(frames->matrices[0], v3(0, 0, 3.6f)))) < 1e-4f);
         assert_int_equal(frames->left, !left);
-        const vec3 sleeve =
-            moved(frames->matrices[2], v3(0.22f, 0.14f, 6.3f + 6.0f * frames->stretch));
+        const vec3 sleeve = moved(frames->matrices[2], v3(0.22f, 0.14f, sleeve_end(frames)));
         assert_true(sleeve.z > 0.5f * scene.tank_size_m.z);
         assert_int_equal(changed_paper(poi), 0);
     }
@@ -352,6 +396,8 @@ int main(void)
         cmocka_unit_test(test_the_mesh_leaves_the_ring_and_the_number_on_the_handle_free),
         cmocka_unit_test(test_the_thumb_lies_on_the_handle_and_fingers_wrap_it),
         cmocka_unit_test(test_the_normals_of_the_skin_agree_with_its_triangles),
+        cmocka_unit_test(test_the_thumb_and_the_index_finger_have_directions_of_bones),
+        cmocka_unit_test(test_the_sleeve_hangs_below_the_forearm),
         cmocka_unit_test(test_the_skin_is_dark_between_the_fingers_and_light_on_their_backs),
         WITH_DISPLAY(test_the_arm_of_a_person_comes_from_the_near_side),
         WITH_DISPLAY(test_a_left_hand_is_the_mirror_image_of_a_right_hand),
