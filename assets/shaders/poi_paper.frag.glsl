@@ -114,8 +114,10 @@ void main()
 #else
     tint += min(glints, 0.32) * above;
 #endif
-    // The water climbs on the fibres where its surface meets the paper.
-    float line = max(1.0 - abs(light.w - 0.004 * frayed) * 300.0, 0.0) * (0.15 + 0.55 * fibre) * at.z;
+    // Paper in the water is darker and bluer. The water climbs on the fibres where its surface meets
+    // the paper.
+    tint *= 1.0 - clamp(-light.w * 300.0, 0.0, 1.0) * at.z * vec3(0.30, 0.14, 0.08);
+    float line = max(1.0 - abs(light.w - 0.004 * frayed) * 300.0, 0.0) * (0.10 + 0.95 * fibre) * at.z;
     color = vec4(mix(WATER_COLOR, tint, water.rgb) * alpha, alpha)
         + line * (1.0 - alpha * 0.5) * vec4(0.88, 0.96, 1.0, 1.0);
 }

@@ -2,7 +2,8 @@
 // rings. A drop is transparent, with a bright lower rim and a reflection of the lamp. A ring is one
 // wave crest, and its slopes toward the lamp are bright.
 in vec3 corner;     // As in spray.vert.glsl.
-in vec3 paper;      // Not SCRAP: x is the sharpness of a ring's crest.
+in vec3 paper;      // Not SCRAP: x is the sharpness of a ring's crest. y is the phase of
+                    // its gaps.
 out vec4 color;
 
 void main()
@@ -22,7 +23,8 @@ void main()
     float lamp = max(1.0 - 3.0 * length(corner.xy - vec2(-0.2, 0.35)), 0.0);
     vec4 drop = vec4(vec3(0.80, 0.96, 1.0) * (0.16 + 0.34 * rim + 1.9 * low) + lamp, 0.24 + 0.30 * rim + low);
     float x = (r - 0.72) * paper.x;
-    float crest = -x * max(1.0 - x * x, 0.0) * dot(corner.xy, vec2(0.447, 0.894)) * 1.25;
+    float broken = 0.55 + 0.75 * sin(corner.x * 3.1 + paper.y) * sin(corner.y * 3.7 + 1.7 * paper.y);
+    float crest = -x * max(1.0 - x * x, 0.0) * dot(corner.xy, vec2(0.447, 0.894)) * 1.25 * max(broken, 0.0);
     float light = max(crest, 0.0);
     vec4 ring = vec4(vec3(0.95, 1.0, 1.0) * light, light * 0.6 + max(-crest, 0.0) * 0.6);
     color = (corner.z < 0.0 ? ring : drop) * inside;

@@ -19,7 +19,8 @@ void main()
     vec3 side = vec3(c, 0.35 * sin(1.7 * form.x), s);
     vec3 up = vec3(-s, 0.45 * cos(2.3 * form.x), c);
 #else
-    paper = vec3(max(6.0, 95.0 * place.w)); // The crest of a large ring is not wider.
+    paper = vec3(max(6.0, 95.0 * place.w), 700.0 * (place.x + place.z), 0.0); // The crest of a large
+                                                                              // ring is not wider.
     bool is_ring = form.x < 0.5;
     corner.z = is_ring ? -form.y : form.y;
     vec3 view = normalize(eye.xyz - place.xyz);

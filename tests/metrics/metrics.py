@@ -93,6 +93,7 @@ FEATURE_LINES = {
     'splashes that state their water, apart from the sounds of fish': 8,
     'narrow highlights on near fish, and ribbons beside the arm of the demonstration': 5,
     'drops of splashes, and their rings on the water': 191,
+    'a wave and more drops where a fish falls into a bowl': 8,
     'weights of the colours of a fish at each vertex': 20,
     'flaps and scraps of torn paper': 103,
     'holes of the paper that open from a slit': 31,

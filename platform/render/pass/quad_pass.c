@@ -65,8 +65,9 @@
 #define SPRAY_GRAVITY_M_S2 9.81f
 /* A splash whose circle has at least this radius in m comes from a poi. */
 #define SPRAY_POI_M 0.018f
-/* Number of drops that a poi throws in addition to the drops of the splash. */
-#define SPRAY_CROWN 10u
+/* Number of drops that a poi, or a fish that falls into a bowl, throws in addition to the drops of
+ * the splash. */
+#define SPRAY_CROWN 26u
 /* Speed in m/s of the wave that a poi makes, time in seconds in which it fades, and its opacity. */
 #define SPRAY_WAVE_M_S 0.16f
 #define SPRAY_WAVE_S 0.9f
@@ -242,21 +243,30 @@ static bool is_from_poi(const struct scene_splash *splash)
     return splash->radius_m >= SPRAY_POI_M && !splash->in_bowl;
 }
 
-/* Computes the wave that a poi makes where it enters or leaves the water. Returns false if the
- * splash has no wave, or if the wave has faded or has reached a wall. */
+/* Returns the height in m at which the rings and waves of a splash are drawn. bowl_pass_cap() hides
+ * what is lower than 1 mm in a bowl, whose water is about that low. */
+static float ring_height_m(const struct scene_splash *splash)
+{
+    return splash->in_bowl ? 0.0016f : 0.0006f;
+}
+
+/* Computes the wave that a poi makes where it enters or leaves the water, or a fish that falls into
+ * a bowl. Returns false if the splash has no wave, or if the wave has faded or has reached a
+ * wall. */
 static bool spread(const struct scene *scene, const struct scene_splash *splash,
                    struct quad_drop *out)
 {
     const vec3 at = splash->position_m;
     const float radius_m = splash->radius_m + SPRAY_WAVE_M_S * splash->age_s;
-    const float wall_m = f_min(0.5f * scene->tank_size_m.x - f_abs(at.x),
-                               0.5f * scene->tank_size_m.z - f_abs(at.z)) -
-                         radius_m / SPRAY_CREST;
+    const float middle_m = splash->in_bowl ? SPRAY_BOWL_M
+                                           : f_min(0.5f * scene->tank_size_m.x - f_abs(at.x),
+                                                   0.5f * scene->tank_size_m.z - f_abs(at.z));
+    const float wall_m = middle_m - radius_m / SPRAY_CREST;
     const float left = f_min(1.0f - splash->age_s / SPRAY_WAVE_S, wall_m / SPRAY_WALL_M);
-    *out = (struct quad_drop){ { at.x, 0.0004f, at.z, radius_m / SPRAY_CREST },
+    *out = (struct quad_drop){ { at.x, ring_height_m(splash), at.z, radius_m / SPRAY_CREST },
                                0.0f,
                                SPRAY_WAVE * f_clamp(left, 0.0f, 1.0f) };
-    return is_from_poi(splash) && left > 0.0f;
+    return (is_from_poi(splash) || splash->in_bowl) && left > 0.0f;
 }
 
 /* Computes drop `index` of a splash. Returns false if the drop has not left the water or if its
@@ -271,7 +281,8 @@ static bool fly(const struct scene *scene, const struct scene_splash *splash, ui
     const float up_m_s = (0.55f + 0.70f * speed) * (0.40f + 0.80f * next_chance(&state));
     const vec3 way_m_s = v3_muladd(v3_scale(v3_flat(splash->push_m_s), 0.25f), side,
                                    (0.10f + 0.35f * speed) * (0.3f + next_chance(&state)));
-    const float size_m = 0.0013f + 0.0027f * next_chance(&state) * next_chance(&state);
+    const float chance = next_chance(&state) * next_chance(&state);
+    const float size_m = 0.0007f + 0.0036f * chance; /* Most drops are small. */
     const float time_s = splash->age_s - SPRAY_LATE_S * next_chance(&state);
     const float lands_s = 2.0f * up_m_s / SPRAY_GRAVITY_M_S2;
     const float flight_s = f_min(time_s, lands_s);
@@ -286,10 +297,9 @@ static bool fly(const struct scene *scene, const struct scene_splash *splash, ui
         *out = (struct quad_drop){ { at.x, at.y, at.z, size_m }, 1.0f + f_abs(rise_m_s), 1.0f };
         return true;
     }
-    /* bowl_pass_cap() hides what is lower than 1 mm in a bowl, whose water is about that low. */
-    const float ring_m = splash->in_bowl ? 0.0016f : 0.0006f;
     const vec3 away = v3_sub(at, splash->position_m);
-    *out = (struct quad_drop){ { at.x, ring_m, at.z, SPRAY_RING_M + SPRAY_RING_M_S * ring_s },
+    *out = (struct quad_drop){ { at.x, ring_height_m(splash), at.z,
+                                 SPRAY_RING_M + SPRAY_RING_M_S * ring_s },
                                0.0f,
                                1.0f - ring_s / SPRAY_RING_S };
     return splash->in_bowl ? v3_length(away) < SPRAY_BOWL_M
@@ -303,7 +313,8 @@ uint32_t quad_spray_of(const struct scene *scene, struct quad_drop out[QUAD_SPRA
     CORE_ASSERT(scene->splash_count <= SCENE_SPLASH_MAX);
     for (uint32_t i = 0; i < scene->splash_count; i++) {
         const struct scene_splash *const splash = &scene->splash[i];
-        const uint32_t drops = splash->drops + (is_from_poi(splash) ? SPRAY_CROWN : 0u);
+        const bool has_crown = is_from_poi(splash) || splash->in_bowl;
+        const uint32_t drops = splash->drops + (has_crown ? SPRAY_CROWN : 0u);
         if (pool < QUAD_SPRAY_MAX) {
             count += spread(scene, splash, &out[count]);
             pool++;

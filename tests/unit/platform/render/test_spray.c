@@ -108,7 +108,7 @@ static void test_drops_rise_fall_and_make_rings(void **state)
     for (uint32_t i = 0; i <= 120u; i++) {
         splash_at((float)i / 100.0f, 0.0f);
         const uint32_t count = quad_spray_of(&shown, drops);
-        assert_true(count <= 51u); /* 40 drops, 10 drops of a poi, and one wave. */
+        assert_true(count <= 67u); /* 40 drops, 26 drops of a poi, and one wave. */
         for (uint32_t k = 0; k < count; k++) {
             const struct quad_drop *const drop = &drops[k];
             const bool is_ring = drop->stretch == 0.0f;
@@ -152,12 +152,22 @@ static void test_rings_lie_on_the_water_of_tank_or_bowl(void **state)
                     f_abs(drops[i].place[0]) <= 0.5f * shown.tank_size_m.x);
     }
     assert_true(rings > 0);
-    splash_at(0.45f, 0.012f); /* In a bowl, whose water is higher than that of the tank. */
-    const uint32_t in_bowl = quad_spray_of(&shown, drops);
-    for (uint32_t i = 0; i < in_bowl; i++) {
-        assert_true(drops[i].stretch > 0.0f ||
-                    (drops[i].place[1] > 0.012f && f_abs(drops[i].place[0]) < 0.05f));
+    /* In a bowl, whose water is higher than that of the tank, a fall makes rings and a wave. */
+    bool has_wave = false;
+    rings = 0;
+    for (uint32_t k = 0; k < 30u; k++) {
+        splash_at((float)k / 60.0f, 0.0015f);
+        shown.splash[0].radius_m = 0.01f;
+        const uint32_t in_bowl = quad_spray_of(&shown, drops);
+        for (uint32_t i = 0; i < in_bowl; i++) {
+            const bool is_ring = drops[i].stretch == 0.0f;
+            rings += is_ring;
+            has_wave |= is_ring && drops[i].place[3] > 0.03f;
+            assert_true(!is_ring ||
+                        (drops[i].place[1] > 0.001f && f_abs(drops[i].place[0]) < 0.05f));
+        }
     }
+    assert_true(rings > 30u && has_wave);
 }
 
 /* Returns the radius of the largest ring of the scene, or 0 without a ring. */
