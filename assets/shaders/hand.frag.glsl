@@ -8,7 +8,8 @@ void main()
 {
     vec2 aside = vec2(place.z, max(place.w, 0.0));
     float left = 1.0 - dot(aside, aside);
-    float cover = left / fwidth(left);
+    // On a narrow triangle that faces aside, the gradient is too large to be the width of the edge.
+    float cover = left / min(fwidth(left), 0.4);
 #ifdef INSIDE
     const float LEAST = 1.0;
 #else

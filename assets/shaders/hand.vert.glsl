@@ -11,8 +11,8 @@ uniform float nearer;                   // Difference of the depth, in normalize
 invariant gl_Position;                  // The outline joins the inside without a gap.
 out vec4 tint;      // rgb: colour where the picture is black. a: light that the picture adds.
 // xy: place in the picture. zw: distances from the middle of the finger across and along the bone,
-// as fractions of the distance of the outline. On other parts, z is 0, and w is 1.1 minus the
-// cosine of the angle to the viewer.
+// as fractions of the distance of the outline. On other parts, z is 0, and w is 1.3 on skin
+// and 1.1 on cloth, minus the cosine of the angle to the viewer.
 out vec4 place;
 
 const float CUFF_Z = 5.3;               // As HAND_CUFF_Z in hand_mesh.h.
@@ -57,7 +57,7 @@ void main()
     tint.a = 0.8 * lit.g * left.g;
     place.xy = is_skin ? surface : is_hem ? HEM : vec2(surface.y, rest.z) * 0.72;
     place.z = FINGER_CUT * tube * aside;
-    place.w = mix(1.1 - facing, ahead, tube);
+    place.w = mix((is_skin ? 1.3 : 1.1) - facing, ahead, tube);
     gl_Position = view_projection * vec4(world, 1.0);
     // The whole hand is drawn nearer, so that no bowl, rim or water hides it.
     gl_Position.z -= nearer * gl_Position.w;

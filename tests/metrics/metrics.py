@@ -122,7 +122,7 @@ FEATURE_LINES = {
     'an arm beside the bowl and heads below the panels on a portrait screen': 18,
     'an outline that ends in the margin of a letter': 1,
     'a hand that holds the fan, whose face is opaque': 69,
-    'fingers that are cut at their circle, light without an edge at the knuckles, and a pattern of hemp leaves': 50,
+    'fingers that are cut at their circle, light without an edge at the knuckles, and a pattern of hemp leaves': 52,
 }
 
 # A sentence that begins with one of these words leaves its subject to the reader.

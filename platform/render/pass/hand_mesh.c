@@ -85,7 +85,7 @@ static const struct bone palm[] = {
  * sides of the other fingers lie inside and outside the circle. */
 #define STRAIGHT_COUNT 2u
 #define FIVE_SIDES 1.19f
-#define SIX_SIDES 1.08f
+#define SIX_SIDES 1.10f
 /* Coordinate `v` of the grid of the palm at the knuckles. */
 #define PALM_CAP (2.0f / 5.0f)
 
@@ -160,6 +160,11 @@ static float openness(vec3 p, vec3 normal)
     return f_clamp(1.0f - shut, 0.0f, 1.0f);
 }
 
+static bool is_straight(const struct finger *finger)
+{
+    return finger < fingers + STRAIGHT_COUNT;
+}
+
 /* A place on a finger: its point, the direction away from the bone, and where it lies. */
 struct finger_place {
     vec3 point, normal;
@@ -173,8 +178,11 @@ struct finger_place {
  * `u` runs around the finger, whose back has the coordinate 0.5. */
 static struct finger_place finger_at(const struct finger *finger, float u, float v, float scale)
 {
-    /* Joints at which the rows of the grid lie. A bent joint has two rows. */
-    static const float rows[FINGER_ROWS] = { 0.0f, 0.66f, 1.44f, 2.10f, 3.0f, 3.0f };
+    /* Joints at which the rows of the grid lie. The first bent joint of a finger that wraps the
+     * handle has three rows, because this joint is an outline. */
+    static const float places[2][FINGER_ROWS] = { { 0.0f, 0.52f, 1.06f, 1.68f, 3.0f, 3.0f },
+                                                  { 0.0f, 0.66f, 1.44f, 2.10f, 3.0f, 3.0f } };
+    const float *const rows = places[is_straight(finger)];
     static const float caps[FINGER_ROWS] = { 0.0f, 0.0f, 0.0f, 0.0f, 0.33f, 1.0f };
     const float row = f_clamp(v, 0.0f, 1.0f) * (float)(FINGER_ROWS - 1u);
     const uint32_t from = row < (float)(FINGER_ROWS - 1u) ? (uint32_t)row : FINGER_ROWS - 2u;
@@ -205,11 +213,6 @@ static struct finger_place finger_at(const struct finger *finger, float u, float
                                   .joint = t,
                                   .turn = f_abs(u - 0.5f),
                                   .capped = cap };
-}
-
-static bool is_straight(const struct finger *finger)
-{
-    return finger < fingers + STRAIGHT_COUNT;
 }
 
 static struct shape_vertex finger_point(float u, float v, const void *context)
