@@ -11,6 +11,7 @@ out vec3 middle;    // Direction halfway between the viewer and the lamps.
 out vec3 left;      // Fraction of the light that passes through the water.
 out vec4 mark;      // x: a mark lies where the fraction of x is near 0.5. y: half of the width of a
                     // mark. z: brightness below the fans. w: height above the water surface in m.
+out float foam;     // Strength of the water line, which a level ring almost lacks.
 
 const float RING_END = 1.19;            // Coordinate z at which the handle leaves the ring.
 
@@ -31,6 +32,7 @@ void main()
     mark.y = paint.w < 0.5 ? -1.0 : is_ring ? 0.05 * paint.w : 0.24;
     mark.z = 1.0 - 0.7 * shade_above(world);
     mark.w = world.y;
+    foam = clamp(length(pose[1].xz) / length(pose[0].xyz) * 5.0 - 0.75, 0.15, 1.0);
     gl_Position = view_projection * vec4(world, 1.0);
 #endif
 }
