@@ -25,10 +25,8 @@ void main()
     float band = clamp((mark.y - abs(fract(mark.x) - 0.5)) * 30.0 + 0.5, 0.0, 1.0);
     vec3 plastic = mix(paint.rgb, vec3(1.0, 0.98, 0.94), band);
     vec3 tint = plastic * (lit + edge * edge * 0.25) + vec3(1.0, 0.95, 0.9) * (0.55 * shine);
-    // The ring is darker and bluer in the water. The water climbs on the ring where it crosses the
-    // surface, as a bright, broken line of foam.
-    float line = foam * max(1.0 - abs(mark.w - 0.0005) * 520.0, 0.0) * (0.65 + 0.35 * sin(70.0 * n.x + 50.0 * n.z));
-    vec3 wet = left * (1.0 - clamp(-mark.w * 400.0, 0.0, 1.0) * vec3(0.26, 0.13, 0.07));
-    color = vec4(mix(mix(WATER_COLOR, tint, wet), vec3(0.95, 1.0, 1.0), line), 1.0) * cover;
+    // The water climbs on the ring where it crosses the surface, as a bright line of foam.
+    float line = foam * max(1.0 - abs(mark.w - 0.0005) * 520.0, 0.0);
+    color = vec4(mix(mix(WATER_COLOR, tint, left), vec3(0.95, 1.0, 1.0), line), 1.0) * cover;
 #endif
 }

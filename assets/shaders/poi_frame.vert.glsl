@@ -31,6 +31,10 @@ void main()
     mark.x = is_ring ? (surface.x + 0.25) * paint.w : clamp((position.z - 2.0) / 0.30, 0.0, paint.w);
     mark.y = paint.w < 0.5 ? -1.0 : is_ring ? 0.05 * paint.w : 0.24;
     mark.z = 1.0 - 0.7 * shade_above(world);
+    // The ring is darker and bluer in the water.
+    float sunk = clamp(-world.y * 400.0, 0.0, 1.0);
+    left *= 1.0 - sunk * vec3(0.22, 0.10, 0.05);
+    mark.z *= 1.0 - 0.18 * sunk;
     mark.w = world.y;
     foam = clamp(length(pose[1].xz) / length(pose[0].xyz) * 5.0 - 0.75, 0.15, 1.0);
     gl_Position = view_projection * vec4(world, 1.0);

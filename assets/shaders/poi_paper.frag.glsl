@@ -75,8 +75,8 @@ void main()
     tint *= 1.0 - danger * vec3(0.16, 0.22, 0.32);
     tint = mix(tint, vec3(0.90, 0.92, 0.91) * grain, 0.75 * flap) * (1.0 - 0.25 * fold);
     // A fish presses the paper wet around it, and its shadow touches it.
-    float pressed = smoothstep(0.0, 0.35, light.y + 0.12 * (fibre - 0.5) * light.y);
-    float touched = smoothstep(0.40, 0.75, light.y);
+    float pressed = min(light.y * 2.8, 1.0);
+    float touched = clamp(light.y * 2.8 - 1.1, 0.0, 1.0);
     tint *= light.x * (1.0 - 0.22 * pressed - 0.50 * touched);
     alpha *= 1.0 - 0.35 * pressed;
     alpha += 0.55 * touched * (1.0 - alpha);
@@ -114,9 +114,7 @@ void main()
 #else
     tint += min(glints, 0.32) * above;
 #endif
-    // Paper in the water is darker and bluer. The water climbs on the fibres where its surface meets
-    // the paper.
-    tint *= 1.0 - clamp(-light.w * 300.0, 0.0, 1.0) * at.z * vec3(0.30, 0.14, 0.08);
+    // The water climbs on the fibres where its surface meets the paper.
     float line = max(1.0 - abs(light.w - 0.004 * frayed) * 300.0, 0.0) * (0.10 + 0.95 * fibre) * at.z;
     color = vec4(mix(WATER_COLOR, tint, water.rgb) * alpha, alpha)
         + line * (1.0 - alpha * 0.5) * vec4(0.88, 0.96, 1.0, 1.0);

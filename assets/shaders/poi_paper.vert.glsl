@@ -17,9 +17,8 @@ out vec4 gleam;     // xy: change of light.z for each unit of slope. z: the same
                     // w: brightness of the sky's reflection in the pool.
 
 // Returns how a fish changes the paper. x: nearness of the fish, which falls from 1 at its middle to
-// 0. y: brightness of the dent's walls and creases, relative to level paper. z: height of the walls
-// in body lengths.
-vec3 dent(vec3 world, vec3 up, vec4 rest, vec3 spine)
+// 0. y: brightness of the dent's walls and creases, relative to level paper.
+vec2 dent(vec3 world, vec3 up, vec4 rest, vec3 spine)
 {
     vec3 d = (world - rest.xyz) / max(rest.w, 1e-4);
     float over = -dot(d, up);
@@ -32,12 +31,11 @@ vec3 dent(vec3 world, vec3 up, vec4 rest, vec3 spine)
         * (1.0 - smoothstep(0.16, 0.50, abs(over)));
     float wall = 4.0 * near * (1.0 - near);
     vec3 away = side / max(length(side), 1e-4);
-    return vec3(near, wall * (0.45 * sin(26.0 * along) - dot(away, vec3(0.75, 0.0, 0.55))), wall * near);
+    return vec2(near, wall * (0.45 * sin(26.0 * along) - dot(away, vec3(0.75, 0.0, 0.55))));
 }
 
 const float FLAP_RADII = 0.55;          // Drop of a flap of torn paper whose distance to the edge
                                         // is 1, in ring radii.
-const float WALL = 0.12;                // Height of the walls of a dent, in ring radii.
 const float SAG_SHOWN = 2.2;            // The sag is drawn larger than computed, because 1 or 2 mm
                                         // are not visible.
 
@@ -57,10 +55,8 @@ void main()
     float sways = world.y < 0.0 ? 0.5 + 0.2 * sin(eye.w * 3.0 + 9.0 * position.x) : 1.0;
     float radius_m = length(pose[0].xyz);
     world.y -= hangs * sways * FLAP_RADII * radius_m;
-    // Fish lie in dents, whose walls hide the lower side of the fish.
     vec3 up = pose[1].xyz / radius_m;
-    vec3 dents = dent(world, up, rests[0], spines[0]) + dent(world, up, rests[1], spines[1]);
-    world.y += WALL * radius_m * dents.z * belly;
+    vec2 dents = dent(world, up, rests[0], spines[0]) + dent(world, up, rests[1], spines[1]);
     // Loaded paper is pulled into the middle, and wrinkles run from the ring toward the middle.
     float loaded = clamp(abs(paper.x) * 22.0, 0.0, 1.0) * (0.4 + 0.6 * cell.r);
     float around = atan(position.y, position.x);
@@ -80,7 +76,9 @@ void main()
     light.z = max(dot(n, middle), 0.0);
     light.w = world.y / max(length(n.xz), 0.1);
     at.z = clamp(length(pose[1].xz) / radius_m * 5.0 - 0.75, 0.0, 1.0);
-    water = vec4(water_passes(-world.y * 1.2), pool.x - pooled);
+    // Paper in the water is darker and bluer.
+    vec3 dims = clamp(-light.w * 300.0, 0.0, 1.0) * at.z * vec3(0.30, 0.14, 0.08);
+    water = vec4(water_passes(-world.y * 1.2) * (1.0 - dims), pool.x - pooled);
     gleam = vec4(middle.xz, middle.y, 0.02 + 0.5 * away * away * away);
     gl_Position = view_projection * vec4(world, 1.0);
 }
