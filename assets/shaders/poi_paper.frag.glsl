@@ -55,7 +55,7 @@ void main()
     // Torn paper is thinner toward its edge, where single fibres stick out. Its flaps are crumpled,
     // with a dark fold where they begin.
     float lip = 1.0 - smoothstep(0.5, 0.68, solid);
-    float flap = clamp((1.0 - cell.b + 0.06 * frayed) * 7.0, 0.0, 1.0);
+    float flap = clamp(min((1.0 - cell.b + 0.06 * frayed) * 7.0, cell.a * 10.0), 0.0, 1.0);
     float fold = 4.0 * flap * (1.0 - flap);
     float grain = 0.84 + 0.26 * fibre;
     vec3 dry = vec3(1.0, 0.975, 0.925) * grain;
