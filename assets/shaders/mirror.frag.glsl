@@ -31,9 +31,9 @@ void main()
     // on the water.
     // Small waves, which the picture of the slopes lacks. They bend one another and lean to the
     // side.
-    vec2 wave = sin(ripple + 2.4 * sin(0.37 * ripple.yx) + 6.0 * slope);
+    vec2 wave = sin(ripple + 24.0 * slope);
     vec3 toward = mirror + vec3(place.x, 0.0, place.y) * 0.55;
-    toward.x += 0.02 * sin(0.31 * ripple.x + wave.y);
+    toward.x += 0.015 * wave.y;
     vec2 seen = toward.xz / (length(toward) + toward.y);
     vec2 night = texture(environment, seen * 0.5 + 0.5).rb;
     // A lantern is far brighter than the maximum of a texel. The small waves break its reflection
