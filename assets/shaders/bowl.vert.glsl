@@ -17,9 +17,10 @@ out vec4 light; // For the shell: x: brightness. y: cosine of the angle between 
                 // direction to the viewer. w: brightness of the lamps. For the water: xy: change of
                 // z for each unit of slope. z: as y of the shell. w: reflection of the sky.
 out vec3 left;  // For the shell: fraction of the light that passes through the water.
-out vec3 grid;  // For the shell: xy: coordinates in the texture of the caustics. z: above 0.5 below
-                // the water in the bowl. For the outside: x: height above the tank's water in RING_M.
-                // For the water: xy: position in mouth radii. z: light of the lamps.
+out vec3 grid;  // For the shell: xy: coordinates in the texture of the caustics. z: depth below the
+                // water in the bowl, in 0.06 depths of the bowl. For the outside: x: height above
+                // the tank's water in RING_M. For the water: xy: position in mouth radii. z: light
+                // of the lamps.
 
 const float CAP_M = 0.001;  // Height of the cap above the tank's water surface.
 

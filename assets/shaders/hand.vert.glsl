@@ -34,8 +34,9 @@ void main()
     n *= unit;
     vec3 to_eye = normalize(eye.xyz - world);
     float facing = dot(n, to_eye);
-    // Direction across the finger in the picture. `ahead` is the direction of the bone there: it
-    // counts at the round tip, and elsewhere only where the surface turns away.
+    // `across` is the direction across the finger in the picture. `ahead` is the distance from the
+    // middle along the bone. It limits the round tip, and elsewhere only the places where the
+    // surface turns away.
     vec3 across = cross(mat3(frame) * axis, to_eye) * unit;
     float sine = dot(across, across);
     across *= inversesqrt(max(sine, 1e-4));

@@ -27,11 +27,11 @@ void main()
     float away = 1.0 - facing;
     float away2 = away * away;
     float fresnel = 0.02 + 0.98 * away2 * away2 * away;
-    // The lanterns are only about two metres away, so that their reflections move with the position
-    // on the water.
-    // Small waves, which the picture of the slopes lacks. They bend one another and lean to the
-    // side.
+    // Small waves, which the picture of the slopes lacks, are sines whose phases the slopes of the
+    // large waves shift.
     vec2 wave = sin(ripple + 24.0 * slope);
+    // The lanterns are only about two metres away, so that their reflections move with the position
+    // on the water. The small waves also move a reflection to the side.
     vec3 toward = mirror + vec3(place.x, 0.0, place.y) * 0.55;
     toward.x += 0.015 * wave.y;
     vec2 seen = toward.xz / (length(toward) + toward.y);
@@ -41,7 +41,7 @@ void main()
     float ridge = max(0.5 + 0.28 * (wave.x + wave.y), 0.0);
     float core = max(night.x - 0.32, 0.0);
     float lit = 1.0 - texture(shades, shaded).r; // A fan also hides the lamps from the water.
-    float lantern = 22.0 * core * core * ridge * ridge * ridge;
+    float lantern = 14.0 * core * core * ridge * ridge * ridge;
     lantern *= (1.0 + 5.0 * fresnel) * water_tint.w * lit;
     vec2 light = vec2(lantern, 0.40 * night.y * lantern)
         + (night * fresnel + SHEEN * away2) * sky_glow.xy;

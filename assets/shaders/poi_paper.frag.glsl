@@ -12,9 +12,10 @@ uniform sampler2D fibres;
 out vec4 color;
 
 #ifdef PRACTICE
-// Returns the colour of a stress between 0 (no load) and 1 (tearing load), from the colour of paper
-// over amber and red to a dark red. Brightness falls over the whole range, so that viewers with any
-// colour vision can read it. The strong colours are those of the ramp in ui_tear.c.
+// Returns the factor for the colour of paper at a stress between 0 (no load) and 1 (tearing load),
+// from nearly white over amber and red to a dark red. Brightness falls over the whole range, so
+// that viewers with any colour vision can read it. The red and the dark red are those of the ramp
+// in ui_tear.c.
 //
 // The ramp uses the square root of the stress, because most loads are about a tenth of the tearing
 // load. Paper with such a load is only slightly warmer than paper without a load. Half of the
@@ -43,8 +44,9 @@ void main()
     float solid = cell.b + (fibre - 0.5 + 1.4 * frayed) * 0.20;
     // The edge of a hole fades over one pixel.
     float inside = (solid - 0.5) / max(fwidth(solid), 0.004);
-    if (inside < -0.5 || light.w * paper.z > 0.0015 * at.z) { // Only the paper below the water surface
-                                                     // belongs to the picture below the surface.
+    // The picture of the objects below the water contains the paper below the water line. Tilted
+    // paper overlaps the line by up to 1.5 mm, so that no gap shows.
+    if (inside < -0.5 || light.w * paper.z > 0.0015 * at.z) {
         discard;
     }
     // Water spreads along the fibres, so that the front of wet paper is soft and uneven.
@@ -56,6 +58,9 @@ void main()
     // with a dark fold where they begin.
     float lip = 1.0 - smoothstep(0.5, 0.68, solid);
     float flap = clamp(min((1.0 - cell.b + 0.06 * frayed) * 7.0, cell.a * 10.0), 0.0, 1.0);
+#ifdef PRACTICE
+    flap *= step(cell.b, 0.99); // On whole paper, cell.a is the stress.
+#endif
     float fold = 4.0 * flap * (1.0 - flap);
     float grain = 0.84 + 0.26 * fibre;
     vec3 dry = vec3(1.0, 0.975, 0.925) * grain;

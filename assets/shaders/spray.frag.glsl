@@ -1,5 +1,5 @@
 // The variant SCRAP draws a scrap of wet paper with a torn edge. The other variant draws drops and
-// rings. A drop is transparent, with a bright lower rim and a reflection of the lamp. A ring is one
+// rings. A drop is transparent, with a bright lower end and a reflection of the lamp. A ring is one
 // wave crest, and its slopes toward the lamp are bright.
 in vec3 corner;     // As in spray.vert.glsl.
 in vec3 paper;      // Not SCRAP: x is the sharpness of a ring's crest. y is the phase of

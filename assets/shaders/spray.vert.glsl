@@ -6,6 +6,8 @@ layout(location = 1) in vec2 form;      // x: length in widths, or 0 for a ring.
 out vec3 corner;                        // xy: position in the square. z: opacity, negative for a
                                         // ring.
 out vec3 paper;                         // SCRAP: light on the paper that passes through the water.
+                                        // Otherwise x: sharpness of a ring's crest. y: phase of
+                                        // the gaps in the ring.
 
 void main()
 {
@@ -19,8 +21,8 @@ void main()
     vec3 side = vec3(c, 0.35 * sin(1.7 * form.x), s);
     vec3 up = vec3(-s, 0.45 * cos(2.3 * form.x), c);
 #else
-    paper = vec3(max(6.0, 95.0 * place.w), 700.0 * (place.x + place.z), 0.0); // The crest of a large
-                                                                              // ring is not wider.
+    // The crest of a ring with a radius above 6 cm keeps its width in m.
+    paper = vec3(max(6.0, 95.0 * place.w), 700.0 * (place.x + place.z), 0.0);
     bool is_ring = form.x < 0.5;
     corner.z = is_ring ? -form.y : form.y;
     vec3 view = normalize(eye.xyz - place.xyz);

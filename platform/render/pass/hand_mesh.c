@@ -168,9 +168,9 @@ static bool is_straight(const struct finger *finger)
 /* A place on a finger: its point, the direction away from the bone, and where it lies. */
 struct finger_place {
     vec3 point, normal;
-    vec3 along;   /* Direction of the bone, toward the tip. */
-    float joint;  /* Joints from the knuckle (0) to the tip (3). */
-    float turn;   /* Turns around the finger, from 0 at its back to 0.5 on both sides. */
+    vec3 along;  /* Direction of the bone, toward the tip. */
+    float joint; /* Joints from the knuckle (0) to the tip (3). */
+    float turn; /* Angle around the finger in turns, from 0 on its back to 0.5 on its inner side. */
     float capped; /* 0 before the tip, and 1 at the end of the finger. */
 };
 
@@ -269,8 +269,7 @@ static struct shape_vertex palm_point(float u, float v, const void *context)
 static struct shape_vertex sleeve_point(float u, float v, const void *context)
 {
     (void)context;
-    /* Places of the rows along the sleeve. Two rows lie at the same place where the cloth changes.
-     * */
+    /* Places of the rows along the sleeve. Two rows lie at one place where the cloth changes. */
     static const float alongs[SLEEVE_ROWS] = { 0.0f, 0.0f, 0.0f, 0.035f, 0.035f, 0.20f, 1.0f };
     const float row = f_clamp(v, 0.0f, 1.0f) * (float)(SLEEVE_ROWS - 1u);
     const uint32_t from = row < (float)(SLEEVE_ROWS - 1u) ? (uint32_t)row : SLEEVE_ROWS - 2u;
@@ -285,10 +284,10 @@ static struct shape_vertex sleeve_point(float u, float v, const void *context)
     const float bag = f_sin(F_PI * f_min(2.5f * along, 1.0f));
     const float hangs = 0.62f + 0.66f * loose + 1.10f * bag;
     const float flat = 1.0f - 0.22f * loose * f_max(0.0f - s, 0.0f); /* A bag of cloth is flat. */
-    const vec3 p = v3(HAND_WRIST_X + (0.92f + 0.06f * loose + 0.34f * bag) * flat * wide * c,
-                      HAND_WRIST_Y + wide * (s > 0.0f ? 0.60f : hangs) * s - 0.12f * bag,
-                      HAND_CUFF_Z + 0.30f * s * loose + (HAND_SLEEVE_END_Z - HAND_CUFF_Z) * along +
-                          1.0f * inside);
+    const vec3 p =
+        v3(HAND_WRIST_X + (0.92f + 0.06f * loose + 0.34f * bag) * flat * wide * c,
+           HAND_WRIST_Y + wide * (s > 0.0f ? 0.60f : hangs) * s - 0.12f * bag,
+           HAND_CUFF_Z + 0.30f * s * loose + (HAND_SLEEVE_END_Z - HAND_CUFF_Z) * along + inside);
     const bool is_hem = row > 1.5f && row < 3.5f;
     const float open = row < 1.5f ? f_lerp(0.46f, 0.14f, inside) : 0.88f + 0.12f * s - 0.30f * fold;
     return (struct shape_vertex){ .position = p, .u = open, .v = is_hem ? HAND_HEM : 6.0f * u };
@@ -329,8 +328,11 @@ static void add_finger(struct shape *shape, vec3 *axes, const struct finger *fin
     const uint32_t columns = is_straight(finger) ? STRAIGHT_COLUMNS : BENT_COLUMNS;
     shape_grid(shape, columns, FINGER_ROWS, finger_point, finger);
     CORE_ASSERT(shape->vertex_count <= HAND_VERTEX_MAX);
-    smooth_normals(shape, first, first_index, columns);
-    for (uint32_t i = 0; is_straight(finger) && i < columns * FINGER_ROWS; i++) {
+    if (!is_straight(finger)) {
+        smooth_normals(shape, first, first_index, columns);
+        return;
+    }
+    for (uint32_t i = 0; i < columns * FINGER_ROWS; i++) {
         const float u = (float)(i % columns) / (float)(columns - 1u);
         const float v = (float)(i / columns) / (float)(FINGER_ROWS - 1u);
         const struct finger_place place = finger_at(finger, u, v, FIVE_SIDES);
@@ -400,8 +402,7 @@ static void paint_finger(uint8_t *texel, const struct finger *finger, float u, f
 static void paint_palm(uint8_t *texel, float u, float v)
 {
     const vec3 p = palm_at(u, v);
-    /* Distances to the two nearest bones of the fingers. Between two bones lies a shallow groove.
-     * */
+    /* Distances to the two nearest bones of the fingers, between which lies a shallow groove. */
     float nearest = 1e3f, second = 1e3f;
     for (uint32_t i = 0; i + 1u < FINGER_COUNT; i++) {
         const float distance = distance_to_bone(p, &palm[i]);

@@ -70,9 +70,10 @@ static bool is_alone(const struct scene *scene)
 }
 
 /* Returns the horizontal direction from a handle to the player. The handle of a bot points to the
- * bot's place. A person stands at the side of the tank that the camera shows at the bottom. At the
- * short side of the tank, the bowl is below the hand. The arm of a player who plays alone there
- * comes from the middle, so that the arm does not hide the bowl. */
+ * bot's place, except for a player who plays alone at the short side of the tank. A person stands
+ * at the side of the tank that the camera shows at the bottom. At the short side, the bowl is below
+ * the hand on the screen. The arm of a player who plays alone there comes from the opposite side,
+ * so that the arm does not hide the bowl. */
 static vec3 way_to_player(const struct scene *scene, const struct grip *grip)
 {
     const bool is_turned = view_is_turned(&scene->view);

@@ -68,7 +68,8 @@
 /* Number of drops that a poi, or a fish that falls into a bowl, throws in addition to the drops of
  * the splash. */
 #define SPRAY_CROWN 26u
-/* Speed in m/s of the wave that a poi makes, time in seconds in which it fades, and its opacity. */
+/* Speed in m/s of the wave that a poi, or a fish that falls into a bowl, makes, time in seconds in
+ * which the wave fades, and opacity of the wave. */
 #define SPRAY_WAVE_M_S 0.16f
 #define SPRAY_WAVE_S 0.9f
 #define SPRAY_WAVE 0.5f
@@ -237,10 +238,11 @@ static bool has_poi(const struct scene *scene, vec3 at)
     return has;
 }
 
-/* Returns true if a poi that enters or leaves the water of the tank caused the splash. */
-static bool is_from_poi(const struct scene_splash *splash)
+/* Returns true if a poi in the tank, or a fish that falls into a bowl, caused the splash. Such a
+ * splash has a wave and more drops. */
+static bool is_strong(const struct scene_splash *splash)
 {
-    return splash->radius_m >= SPRAY_POI_M && !splash->in_bowl;
+    return splash->in_bowl || splash->radius_m >= SPRAY_POI_M;
 }
 
 /* Returns the height in m at which the rings and waves of a splash are drawn. bowl_pass_cap() hides
@@ -266,7 +268,7 @@ static bool spread(const struct scene *scene, const struct scene_splash *splash,
     *out = (struct quad_drop){ { at.x, ring_height_m(splash), at.z, radius_m / SPRAY_CREST },
                                0.0f,
                                SPRAY_WAVE * f_clamp(left, 0.0f, 1.0f) };
-    return (is_from_poi(splash) || splash->in_bowl) && left > 0.0f;
+    return is_strong(splash) && left > 0.0f;
 }
 
 /* Computes drop `index` of a splash. Returns false if the drop has not left the water or if its
@@ -313,8 +315,7 @@ uint32_t quad_spray_of(const struct scene *scene, struct quad_drop out[QUAD_SPRA
     CORE_ASSERT(scene->splash_count <= SCENE_SPLASH_MAX);
     for (uint32_t i = 0; i < scene->splash_count; i++) {
         const struct scene_splash *const splash = &scene->splash[i];
-        const bool has_crown = is_from_poi(splash) || splash->in_bowl;
-        const uint32_t drops = splash->drops + (has_crown ? SPRAY_CROWN : 0u);
+        const uint32_t drops = splash->drops + (is_strong(splash) ? SPRAY_CROWN : 0u);
         if (pool < QUAD_SPRAY_MAX) {
             count += spread(scene, splash, &out[count]);
             pool++;

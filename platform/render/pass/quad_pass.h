@@ -6,10 +6,11 @@
 #include "core/scene.h"
 #include "platform/render/textures.h"
 
-/* Number of drops of all splashes in a picture. Drops of the oldest splashes are left out. */
+/* Maximum number of drops, rings and waves of all splashes in a picture. Those of the oldest
+ * splashes are left out. */
 #define QUAD_SPRAY_MAX 96u
 
-/* A drop in the air, or the ring that it makes on the water. */
+/* A drop in the air, the ring that a drop makes on the water, or the wave of a splash. */
 struct quad_drop {
     float place[4]; /* Position in the world, and radius in m. */
     float stretch;  /* Length of a drop in its widths, at least 1. 0 means a ring. */
@@ -43,9 +44,9 @@ void quad_pass_air(const struct quad_pass *pass, const struct scene *scene, bool
  * before the pois are drawn. */
 void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene);
 
-/* Computes the drops of all splashes of the scene, the rings of the drops, and the waves of the
- * pois that enter or leave the water. No drop makes a ring where a poi is seen in the water.
- * Returns the number of entries of `out`. */
+/* Computes the drops of all splashes of the scene, the rings of the drops, and the waves of pois
+ * that enter or leave the water and of fish that fall into bowls. No drop makes a ring in the tank
+ * where a poi is seen in the water or close above it. Returns the number of entries of `out`. */
 uint32_t quad_spray_of(const struct scene *scene, struct quad_drop out[QUAD_SPRAY_MAX]);
 /* Draws the drops of quad_spray_of() into a render target with a depth buffer, with one draw call.
  * Must be called after the pois are drawn. */
@@ -60,7 +61,8 @@ void quad_pass_scraps(const struct quad_pass *pass, const struct scene *scene);
 /* Height in metres of a hand-held fan above the water. As seen by the player, a fan at this height
  * hides half of its own shadow on the water and little of the floor. */
 #define QUAD_FAN_HEIGHT_M 0.15f
-/* Distance from the middle of a fan to the end of its handle, in radii of the fan. */
+/* Distance from the middle of a fan to the end of its handle, in radii of the fan. Must be the
+ * distance in fan_face.frag.glsl. */
 #define QUAD_FAN_HANDLE 2.16f
 /* Returns the angles of a hand-held fan, which sways. */
 struct angles quad_fan_angles(const struct scene *scene, const struct scene_fan *fan);

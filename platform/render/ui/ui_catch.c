@@ -57,7 +57,7 @@ void ui_catch_notice(struct ui_memory *memory, const struct scene *scene)
                 memory->flight_tick[i][slot] = scene->tick + waits * FLIGHT_APART_TICKS;
             }
         } else if (caught != before || !continues) {
-            /* Outside a continuing round, all caught fish count as arrived, and no fish flies. */
+            /* Outside a continuing round, all caught fish count as arrived, and no tag flies. */
             for (uint32_t k = 0; k < UI_FLIGHT_MAX; k++) {
                 memory->flight_tick[i][k] = scene->tick - FLIGHT_TICKS;
             }

@@ -46,7 +46,7 @@ static void test_the_mesh_leaves_the_ring_and_the_number_on_the_handle_free(void
     }
 }
 
-static void test_the_thumb_lies_on_the_handle_and_fingers_wrap_it(void **state)
+static void test_the_index_finger_lies_on_the_handle_and_fingers_wrap_it(void **state)
 {
     (void)state;
     /* Heights of the skin above and below the handle, within the width of the handle. */
@@ -394,7 +394,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_mesh_has_about_400_triangles),
         cmocka_unit_test(test_the_mesh_leaves_the_ring_and_the_number_on_the_handle_free),
-        cmocka_unit_test(test_the_thumb_lies_on_the_handle_and_fingers_wrap_it),
+        cmocka_unit_test(test_the_index_finger_lies_on_the_handle_and_fingers_wrap_it),
         cmocka_unit_test(test_the_normals_of_the_skin_agree_with_its_triangles),
         cmocka_unit_test(test_the_thumb_and_the_index_finger_have_directions_of_bones),
         cmocka_unit_test(test_the_sleeve_hangs_below_the_forearm),
