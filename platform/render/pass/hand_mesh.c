@@ -330,9 +330,8 @@ static void add_finger(struct shape *shape, vec3 *axes, const struct finger *fin
     CORE_ASSERT(shape->vertex_count <= HAND_VERTEX_MAX);
     if (!is_straight(finger)) {
         smooth_normals(shape, first, first_index, columns);
-        return;
     }
-    for (uint32_t i = 0; i < columns * FINGER_ROWS; i++) {
+    for (uint32_t i = 0; is_straight(finger) && i < columns * FINGER_ROWS; i++) {
         const float u = (float)(i % columns) / (float)(columns - 1u);
         const float v = (float)(i / columns) / (float)(FINGER_ROWS - 1u);
         const struct finger_place place = finger_at(finger, u, v, FIVE_SIDES);

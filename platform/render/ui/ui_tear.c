@@ -56,9 +56,9 @@ static void stroke(const struct ui_frame *frame, struct spot from, struct spot s
 
 /* Returns the colour of the paper's load: from the colour of paper (no load) over amber and red to
  * dark red (a load that tears the paper). Brightness falls over the whole range, so that viewers
- * with any colour vision can read it. poi_paper.frag.glsl has the same red and dark red, and a paler
- * amber that begins at a higher load. The square root makes differences between low loads visible,
- * because most loads are low. */
+ * with any colour vision can read it. poi_paper.frag.glsl has the same red and dark red, and a
+ * paler amber that begins at a higher load. The square root makes differences between low loads
+ * visible, because most loads are low. */
 static uint32_t load_colour(uint8_t load)
 {
     static const struct {
