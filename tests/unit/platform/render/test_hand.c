@@ -18,12 +18,18 @@ static vec3 bones[HAND_VERTEX_MAX];
 /* Distance along the handle, in ring radii, at which the player's number is drawn. */
 #define NUMBER_AT 2.3f
 
+/* Fills `shape` and `bones` with the mesh of a hand. */
+static void build_hand(void)
+{
+    shape.vertex_count = shape.index_count = 0;
+    hand_mesh(&shape, bones);
+}
+
 static void test_the_mesh_has_about_400_triangles(void **state)
 {
     (void)state;
     uint32_t count = 0;
-    shape.vertex_count = shape.index_count = 0;
-    hand_mesh(&shape, bones);
+    build_hand();
     for (uint32_t i = 0; i < shape.index_count; i += 3) {
         const struct shape_vertex *const a = &shape.vertices[shape.indices[i]];
         const vec3 ab = v3_sub(shape.vertices[shape.indices[i + 1u]].position, a->position);
@@ -36,8 +42,7 @@ static void test_the_mesh_has_about_400_triangles(void **state)
 static void test_the_mesh_leaves_the_ring_and_the_number_on_the_handle_free(void **state)
 {
     (void)state;
-    shape.vertex_count = shape.index_count = 0;
-    hand_mesh(&shape, bones);
+    build_hand();
     for (uint32_t i = 0; i < shape.vertex_count; i++) {
         const struct shape_vertex *const vertex = &shape.vertices[i];
         assert_true(vertex->position.z > NUMBER_AT);
@@ -51,8 +56,7 @@ static void test_the_index_finger_lies_on_the_handle_and_fingers_wrap_it(void **
     (void)state;
     /* Heights of the skin above and below the handle, within the width of the handle. */
     float above = 0.0f, below = 0.0f;
-    shape.vertex_count = shape.index_count = 0;
-    hand_mesh(&shape, bones);
+    build_hand();
     for (uint32_t i = 0; i < shape.vertex_count; i++) {
         const vec3 p = shape.vertices[i].position;
         if (shape.vertices[i].v < 0.0f && f_abs(p.x) < 0.14f && p.z < 3.4f) {
@@ -69,8 +73,7 @@ static void test_the_index_finger_lies_on_the_handle_and_fingers_wrap_it(void **
 static void test_the_normals_of_the_skin_agree_with_its_triangles(void **state)
 {
     (void)state;
-    shape.vertex_count = shape.index_count = 0;
-    hand_mesh(&shape, bones);
+    build_hand();
     for (uint32_t i = 0; i < shape.index_count; i += 3) {
         const struct shape_vertex *corners[3];
         for (uint32_t k = 0; k < 3u; k++) {
@@ -90,8 +93,7 @@ static void test_the_thumb_and_the_index_finger_have_directions_of_bones(void **
 {
     (void)state;
     uint32_t count = 0;
-    shape.vertex_count = shape.index_count = 0;
-    hand_mesh(&shape, bones);
+    build_hand();
     for (uint32_t i = 0; i < shape.vertex_count; i++) {
         if (v3_length(bones[i]) > 0.0f) {
             const float ahead = v3_dot(bones[i], shape.vertices[i].normal);
@@ -109,8 +111,7 @@ static void test_the_sleeve_hangs_below_the_forearm(void **state)
 {
     (void)state;
     float above = 0.0f, below = 0.0f;
-    shape.vertex_count = shape.index_count = 0;
-    hand_mesh(&shape, bones);
+    build_hand();
     for (uint32_t i = 0; i < shape.vertex_count; i++) {
         const struct shape_vertex *const vertex = &shape.vertices[i];
         if (vertex->v >= 0.0f) {
